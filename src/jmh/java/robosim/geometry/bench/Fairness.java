@@ -40,7 +40,9 @@ import robosim.geometry.protocol.SonarRequestBundle;
  * {@code -Dserver.flags="-Xmx2g"} for the server's Java, {@code -Dserver.classes=old.jar} for the server of another build.
  */
 public final class Fairness {
-    private static final int WARM_MILLIS = 3000;
+    /** At most; a short measurement, which only checks the answers, warms up no longer than it takes. */
+    private static final long WARM_MILLIS = 3000;
+
     private static final int BUNDLES = 2000;
 
     private Fairness() {}
@@ -95,17 +97,18 @@ public final class Fairness {
     static Waits[] measure(Greed attack, Duration time) throws Exception {
         Healthy healthy = new Healthy();
         long nanos = time.toNanos();
+        long warm = Math.min(WARM_MILLIS, time.toMillis());
         List<String> flags =
                 List.of(System.getProperty("server.flags", "").trim().split(" +"));
         Process server = start(flags.get(0).isEmpty() ? List.of() : flags, "serve");
         try {
             int port = Integer.parseInt(line(server));
-            healthy.ask(port, WARM_MILLIS * 1_000_000L);
+            healthy.ask(port, warm * 1_000_000);
             Waits before = Waits.of(healthy.ask(port, nanos / 2));
             Process greedy = start(List.of("-XX:TieredStopAtLevel=1"), "attack", attack.name(), "" + port);
             try {
                 line(greedy); // its messages are made
-                Thread.sleep(WARM_MILLIS);
+                Thread.sleep(warm);
                 return new Waits[] {before, Waits.of(healthy.ask(port, nanos))};
             } finally {
                 greedy.destroyForcibly().waitFor();

@@ -13,6 +13,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.reference.Vectors;
 
 /**
  * Objects as the files write them. Where a source has Z up, all is turned cyclically, which rounds nothing: its x, y, z
@@ -135,20 +136,6 @@ final class ShapeReader {
     /** Of a quaternion w, x, y, z of any length. */
     private static double[] matrix(double[] q) {
         double s = 2 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-        double w = q[0];
-        double x = q[1];
-        double y = q[2];
-        double z = q[3];
-        return new double[] {
-            1 - s * (y * y + z * z),
-            s * (x * y - w * z),
-            s * (x * z + w * y),
-            s * (x * y + w * z),
-            1 - s * (x * x + z * z),
-            s * (y * z - w * x),
-            s * (x * z - w * y),
-            s * (y * z + w * x),
-            1 - s * (x * x + y * y)
-        };
+        return Vectors.rotation(s, q[0], q[1], q[2], q[3]);
     }
 }

@@ -53,7 +53,7 @@ class WorldAgainstListTest {
             beams(world, shuffled, list, objects, random);
             casts(world, shuffled, list, objects, random);
         }
-        for (int round = 0; round < 4; round++) {
+        for (int round = 0; round < Effort.cases(4); round++) {
             nearest(world, shuffled, list, objects, random);
             moves(world, shuffled, list, random);
         }

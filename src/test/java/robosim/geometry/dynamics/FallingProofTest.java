@@ -15,6 +15,7 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.reference.Vectors;
 
 /**
  * What holds after every step in space, on random and adversarial input: nothing overlaps, which is decided exactly; nothing has
@@ -36,21 +37,7 @@ class FallingProofTest {
             double square = w * w + x * x + y * y + z * z;
             if (square > 0.1 && square < 1) {
                 double size = Math.sqrt(square);
-                w /= size;
-                x /= size;
-                y /= size;
-                z /= size;
-                return new double[] {
-                    1 - 2 * (y * y + z * z),
-                    2 * (x * y - w * z),
-                    2 * (x * z + w * y),
-                    2 * (x * y + w * z),
-                    1 - 2 * (x * x + z * z),
-                    2 * (y * z - w * x),
-                    2 * (x * z - w * y),
-                    2 * (y * z + w * x),
-                    1 - 2 * (x * x + y * y)
-                };
+                return Vectors.rotation(2, w / size, x / size, y / size, z / size);
             }
         }
     }

@@ -201,7 +201,7 @@ class FallingTest {
             Point at = new Point(r[1] * high, r[4] * high, 0);
             GeometryObject tower = isCylinder ? new CylinderObject(at, 0.25, 1) : new BoxObject(at, 0.5, 1, 0.5);
             Dynamics dynamics = one(world, tower.oriented(r), new Surface(0, 2, 2));
-            dynamics.step(2);
+            dynamics.step(1.3);
             double[] now = world.getObject("body").pose().rotation();
             double upright = now[1] * r[1] + now[4] * r[4] + now[7] * r[7];
             if (degrees < 26) {

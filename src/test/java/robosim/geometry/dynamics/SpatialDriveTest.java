@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -305,19 +306,19 @@ class SpatialDriveTest {
         Dynamics dynamics = cart(world, Shape.BOX.at(0, STANDS, 0), new DifferentialDrive(0.4, 1, 2).driving(0.5, 3));
         dynamics.add("crate", Body.of(5, 0.5).withFloorFriction(0.5));
         dynamics.add("ball", Body.of(1, 0.02).withSurface(new Surface(1, 0, 0)));
-        for (int step = 0; step < 200; step++) {
-            dynamics.advance(0.02);
+        for (int step = 0; step < 80; step++) {
+            dynamics.advance(0.05);
         }
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long id = Thread.currentThread().getId();
         long least = Long.MAX_VALUE;
-        for (int round = 0; round < 5; round++) { // in the first ones classes may be loaded
+        for (int round = 0; round < 5 && least > 0; round++) { // in the first ones classes may be loaded
             dynamics.drive("cart", new DifferentialDrive(0.4, 1, 2).driving(round % 2 == 0 ? -0.5 : 0.5, 5));
             long before = threads.getThreadAllocatedBytes(id);
-            for (int step = 0; step < 50; step++) {
-                dynamics.advance(0.02);
+            for (int step = 0; step < 20; step++) {
+                dynamics.advance(0.05);
             }
-            least = Math.min(least, (threads.getThreadAllocatedBytes(id) - before) / 50);
+            least = Math.min(least, (threads.getThreadAllocatedBytes(id) - before) / 20);
         }
         assertThat(least).isZero();
     }
@@ -374,7 +375,7 @@ class SpatialDriveTest {
         int touching = 0;
         StopCount stops = new StopCount();
         int steps = 0;
-        for (int run = 0; run < 6; run++) {
+        for (int run = 0; run < Effort.cases(6, 3); run++) {
             SplittableRandom random = new SplittableRandom(run);
             Geometry world = ramp(random.nextDouble(5, 30));
             for (int side = -1; side <= 1; side += 2) {

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
@@ -33,9 +34,11 @@ class SpatialSymmetryTest {
         dynamics.add("crate", Body.ofMass(crate, 5).withSurface(ROUGH));
         double acceleration = force * 0.4 * 5 * Body.GRAVITY / 20;
         dynamics.drive("robot", new DifferentialDrive(0.5, 1, acceleration).driving(0.5, 0));
-        dynamics.step(5);
+        double seconds = Effort.cases(5, 3);
+        dynamics.step(seconds);
         Point at = world.getObject("crate").center();
-        assertThat(at.x() * ahead - at.z() * left).isGreaterThan(1.5);
+        // Where a tenth more than the friction pushes, that is all there is to speed both up.
+        assertThat(at.x() * ahead - at.z() * left).isGreaterThan(0.6 + 0.036 * seconds * seconds);
         assertThat(at.x() * left + at.z() * ahead).isCloseTo(0, within(1e-3));
         assertThat(world.getObject("robot").heading()).isCloseTo(heading, within(0.02));
     }

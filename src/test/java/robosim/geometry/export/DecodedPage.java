@@ -12,6 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.Inflater;
 import java.util.zip.InflaterInputStream;
+import robosim.geometry.reference.Vectors;
 
 /**
  * What a page contains, read independently of the page's own program: worlds, places, distances, refused moves. Places
@@ -351,21 +352,7 @@ final class DecodedPage {
             length += (double) now[k] * now[k];
         }
         double s = 1 / Math.sqrt(length);
-        double x = now[3] * s;
-        double y = now[4] * s;
-        double z = now[5] * s;
-        double w = now[6] * s;
-        double[] rows = {
-            1 - 2 * (y * y + z * z),
-            2 * (x * y - w * z),
-            2 * (x * z + w * y),
-            2 * (x * y + w * z),
-            1 - 2 * (x * x + z * z),
-            2 * (y * z - w * x),
-            2 * (x * z - w * y),
-            2 * (y * z + w * x),
-            1 - 2 * (x * x + y * y)
-        };
+        double[] rows = Vectors.rotation(2, now[6] * s, now[3] * s, now[4] * s, now[5] * s);
         System.arraycopy(rows, 0, place, 3, 9);
         return place;
     }

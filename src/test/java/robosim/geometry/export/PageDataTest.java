@@ -182,11 +182,11 @@ class PageDataTest {
     /** Rounding does not add up: the last place is as good as the first, and the bound is reached. */
     @Test
     void longWaysAreToldAsWellAsShortOnes() {
-        StateHistory film = Pages.film(Pages.wander(60, 12, 2000, true, new SplittableRandom(1)));
+        StateHistory film = Pages.film(Pages.wander(60, 12, 1000, true, new SplittableRandom(1)));
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(compared(film, 0, page)).isBetween(0.45, 0.5 + 1e-6);
         comparedEvents(film, page);
-        assertThat(page.chapters.get(0).bumps).hasSizeGreaterThan(50);
+        assertThat(page.chapters.get(0).bumps).hasSizeGreaterThan(25);
     }
 
     /** A laser that a batch asks, mounted ahead of the centre, while its robot turns and drives. */

@@ -6,6 +6,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.Vectors;
 
 /** Rows of leaves for tests. */
 public final class Rows {
@@ -65,21 +66,7 @@ public final class Rows {
         if (n < 0.1) {
             return identity();
         }
-        a /= n;
-        b /= n;
-        c /= n;
-        d /= n;
-        return new double[] {
-            1 - 2 * (c * c + d * d),
-            2 * (b * c - a * d),
-            2 * (b * d + a * c),
-            2 * (b * c + a * d),
-            1 - 2 * (b * b + d * d),
-            2 * (c * d - a * b),
-            2 * (b * d - a * c),
-            2 * (c * d + a * b),
-            1 - 2 * (b * b + c * c)
-        };
+        return Vectors.rotation(2, a / n, b / n, c / n, d / n);
     }
 
     /** A random leaf of a kind, of size about 1, with its centre in a cube of the given half width. */

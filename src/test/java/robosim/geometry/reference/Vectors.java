@@ -2,8 +2,8 @@ package robosim.geometry.reference;
 
 import robosim.geometry.reference.Quantity.Arithmetic;
 
-/** Vectors of three quantities. */
-final class Vectors {
+/** Vectors of three quantities, and rotations. */
+public final class Vectors {
     private Vectors() {}
 
     static Quantity[] of(Arithmetic n, double x, double y, double z) {
@@ -52,5 +52,20 @@ final class Vectors {
     /** Whether a is at most b. */
     static boolean atMost(Quantity a, Quantity b) {
         return a.minus(b).signum() <= 0;
+    }
+
+    /** The matrix of a quaternion, of which a number is 2 over the square of its length. */
+    public static double[] rotation(double s, double w, double x, double y, double z) {
+        return new double[] {
+            1 - s * (y * y + z * z),
+            s * (x * y - w * z),
+            s * (x * z + w * y),
+            s * (x * y + w * z),
+            1 - s * (x * x + z * z),
+            s * (y * z - w * x),
+            s * (x * z - w * y),
+            s * (y * z + w * x),
+            1 - s * (x * x + y * y)
+        };
     }
 }

@@ -307,7 +307,7 @@ class ShadowsTest {
             Point corner = placed(world, middle, (k & 1) * 4 - 2, (k & 2) * 2 - 2, (k & 4) - 2);
             Point eye = placed(world, middle, ((k & 1) - 0.5) * 2 * near, ((k >> 1 & 1) - 0.5) * 2 * near, 0.1);
             ColorFrame frame = new ColorFrame();
-            ColorCamera.of(60, 45, 80)
+            ColorCamera.of(40, 30, 80)
                     .at(Viewpoints.lookAt(eye, corner))
                     .withLighting(lighting)
                     .withSkyRays(2, Double.POSITIVE_INFINITY)

@@ -27,9 +27,9 @@ import robosim.geometry.world.shared.FileWork;
 /** Reading a file of any format is counted, so it can be limited and cancelled. */
 class LimitedImportTest {
     /** Of a file of a few thousand parts; what is counted at once must be far less, so that a reader ends soon. */
-    private static final int PARTS = 3000;
+    private static final int PARTS = 1500;
 
-    private static final int MOST_AT_ONCE = 4000;
+    private static final int MOST_AT_ONCE = 2000;
 
     @TempDir
     Path folder;

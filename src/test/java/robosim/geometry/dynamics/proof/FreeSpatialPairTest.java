@@ -52,7 +52,7 @@ class FreeSpatialPairTest {
     }
 
     @ParameterizedTest
-    @ValueSource(doubles = {0.02, 0.5})
+    @ValueSource(doubles = {0.05, 0.5})
     void keepsMomentumAndAngularMomentum(double seconds) {
         int met = 0;
         int runs = 8;

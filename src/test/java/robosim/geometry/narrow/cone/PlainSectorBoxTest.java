@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
@@ -12,7 +13,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 
 /** An upright box in a sector, of which only the nearest point is computed, has the distance of all of it, to the bit. */
 class PlainSectorBoxTest {
-    private static final int CASES = 60_000;
+    private static final int CASES = Effort.cases(60_000);
 
     private final Scratch scratch = new Scratch();
     private final PlainSectorBox plain = new PlainSectorBox();
@@ -32,11 +33,11 @@ class PlainSectorBoxTest {
             double half = random.nextInt(3) > 0 ? random.nextDouble(0.02, 0.3) : random.nextDouble(0.001, 1.57);
             compare(row, o[0], o[2], to[0] - o[0], to[1] - o[2], StrictMath.cos(half), random);
         }
-        assertThat(known[PlainSectorBox.HELD]).isGreaterThan(5000);
-        assertThat(known[PlainSectorBox.CROSSED]).isGreaterThan(10_000);
-        assertThat(known[PlainSectorBox.BEYOND]).isGreaterThan(10_000);
-        assertThat(known[PlainSectorBox.UNSURE]).isBetween(1000, CASES / 3);
-        assertThat(cut).as("beyond a limit").isGreaterThan(3000);
+        assertThat(known[PlainSectorBox.HELD]).isGreaterThan(CASES / 12);
+        assertThat(known[PlainSectorBox.CROSSED]).isGreaterThan(CASES / 6);
+        assertThat(known[PlainSectorBox.BEYOND]).isGreaterThan(CASES / 6);
+        assertThat(known[PlainSectorBox.UNSURE]).isBetween(CASES / 60, CASES / 3);
+        assertThat(cut).as("beyond a limit").isGreaterThan(CASES / 20);
     }
 
     /** Borders through corners, axes along sides, thin boxes, from the outline: off by some ulps. */
@@ -75,10 +76,10 @@ class PlainSectorBoxTest {
                 compare(row, ox, o[1], dx, dz, cos, random);
             }
         }
-        assertThat(known[PlainSectorBox.HELD]).isGreaterThan(1000);
-        assertThat(known[PlainSectorBox.CROSSED]).isGreaterThan(1000);
-        assertThat(known[PlainSectorBox.BEYOND]).isGreaterThan(5000);
-        assertThat(known[PlainSectorBox.UNSURE]).isGreaterThan(10_000);
+        assertThat(known[PlainSectorBox.HELD]).isGreaterThan(CASES / 60);
+        assertThat(known[PlainSectorBox.CROSSED]).isGreaterThan(CASES / 60);
+        assertThat(known[PlainSectorBox.BEYOND]).isGreaterThan(CASES / 12);
+        assertThat(known[PlainSectorBox.UNSURE]).isGreaterThan(CASES / 6);
     }
 
     private void compare(
