@@ -171,18 +171,20 @@ class PageServerTest {
         Session session = new Session(SessionOptions.ROBOSIM, watching.apply("peer 1"), "peer 1");
         session.reply(Talk.begun().steps().get(0).request());
         List<String> connections = new ArrayList<>();
-        try (LiveSource source = new LiveSource(
-                        film,
-                        () -> StepReader.of(ScenarioReader.of(watching.lines(), "here")),
-                        Colours.NONE,
-                        connections::add);
-                Events events = new Events(server, -1)) {
+        LiveSource source = new LiveSource(
+                film,
+                () -> StepReader.of(ScenarioReader.of(watching.lines(), "here")),
+                Colours.NONE,
+                connections::add);
+        try (Events events = new Events(server, -1)) {
             events.next("anew");
             assertThat(connections).containsExactly("peer 1");
             session.reply(new MoveBundle(List.of(Talk.move(0.25, 0))));
             assertThat(placed(events.next("frame"))[1]).isEqualTo(-4.75);
             session.reply(new InitBundle(List.of(Talk.DRUM)));
             events.next("anew");
+        } finally {
+            source.close();
         }
     }
 
