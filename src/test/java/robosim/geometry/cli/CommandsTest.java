@@ -66,6 +66,7 @@ class CommandsTest {
                     sweep nowhere.Scenario w.xml --table a.txt | --table must end in .md (got: a.txt)
                     sweep nowhere.Scenario w.xml --plot no/a.svg | --plot must be in a folder that exists
                     rendr worlds/rooms.xml               | Did you mean: robosim-geometry render
+                    render worlds/rooms.xml --sensors -o a.png | --sensors is for a plan of the whole height; write an .svg or add --plan, without --slice (got: --sensors for a.png)
                     render worlds/rooms.xml --plna -o a.svg | Possible solutions: --plan
                     render nowhere.xml -o a.png          | WORLD must be a file that exists; check the path (got: nowhere.xml)
                     render worlds -o a.png               | WORLD must be a file, not a folder; name a file in it (got: worlds)

@@ -47,6 +47,7 @@ import robosim.geometry.world.shared.AtomicFileWriter;
         },
         footer = {
             "  robosim-geometry render worlds/rooms.xml -o rooms.svg",
+            "  robosim-geometry render worlds/rooms.xml --sensors -o rooms.svg",
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
             "  robosim-geometry render worlds/rooms.xml --camera orbit --frames 36 -o rooms.png",
             "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
@@ -77,6 +78,12 @@ public final class RenderCommand implements Callable<Integer> {
 
     @Option(names = "--plan", description = "draw the plan from above as a .png")
     private boolean plan;
+
+    @Option(
+            names = "--sensors",
+            description =
+                    "draw on the plan what the sonars of the world file measure; a recording shows it in any case")
+    private boolean hasSensors;
 
     @Option(
             names = "--slice",
@@ -138,6 +145,10 @@ public final class RenderCommand implements Callable<Integer> {
         if (isPlan) {
             refuseCamera();
         }
+        if (hasSensors && (!isPlan || slice != null)) {
+            throw new UsageException("--sensors is for a plan of the whole height; write an .svg or add --plan, without"
+                    + " --slice (got: --sensors for " + output + ")");
+        }
         if (RecordingOptions.isRecording(world.file())) {
             film(isPlan);
             return ExitCodes.FINE;
@@ -153,7 +164,7 @@ public final class RenderCommand implements Callable<Integer> {
             read = PlanSlice.of(read, slice);
         }
         if (isPlan) {
-            Painter.write(Pictures.of(read, title()), theme(), output);
+            Painter.write(hasSensors ? Pictures.sensed(read, title()) : Pictures.of(read, title()), theme(), output);
             tell(output);
         } else {
             photograph(read);

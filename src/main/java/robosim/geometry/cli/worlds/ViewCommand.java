@@ -42,8 +42,8 @@ import robosim.geometry.world.World;
 @Command(
         name = ViewCommand.NAME,
         description = {
-            "Shows a world, a recording or a running session in a browser, from above and in three dimensions, until it is"
-                    + " ended (Ctrl+C).",
+            "Shows a world, a recording or a running session in a browser, from above and in three dimensions, until"
+                    + " it is ended (Ctrl+C).",
             "The page is served on this machine alone, at an address with a secret; ? in it shows all keys."
         },
         exitCodeList = {ExitCodes.DONE, ExitCodes.UNUSABLE + ":not shown: no such file, or nothing to watch"},
@@ -111,10 +111,11 @@ public final class ViewCommand implements Callable<Integer> {
         World lender = lender();
         LiveFilm film = new LiveFilm(host + ":" + from, unit(lender));
         WatchReader.dial(host, from).close(); // a wrong address ends the command, and not only the page's hope
-        try (LiveSource source =
-                        new LiveSource(film, () -> WatchReader.dial(host, from), of(lender), connection -> {});
-                PageServer server = PageServer.live(address(), film, null)) {
+        LiveSource source = new LiveSource(film, () -> WatchReader.dial(host, from), of(lender), connection -> {});
+        try (PageServer server = PageServer.live(address(), film, null)) {
             show(server);
+        } finally {
+            source.close();
         }
     }
 

@@ -41,6 +41,14 @@ public final class Pictures {
         return Scene.of(title, view, things).described(subtitle, unit(world));
     }
 
+    /** The scene of a world, with what the sonars of its robots measure there. */
+    public static Scene sensed(World world, String title) {
+        List<Scene.Ping> pings = WorldSonars.of(world).measure(world.toGeometry(outside -> {})).values().stream()
+                .flatMap(List::stream)
+                .toList();
+        return of(world, title).with(List.of(), pings, List.of());
+    }
+
     /** The name of the world unit for the scale bar; empty if unspecified. */
     public static String unit(World world) {
         Unit unit = world.unit();

@@ -193,9 +193,9 @@ final class HeldSession implements SessionListener {
     /** Puts all moveable objects where they began: in rounds, as one may stand where another one began. */
     private String reset(Session of, Geometry world) {
         Map<String, Pose> left = new LinkedHashMap<>(starts);
-        left.keySet()
-                .removeIf(name ->
-                        !world.hasObject(name) || world.getObject(name).pose().equals(starts.get(name)));
+        left.entrySet()
+                .removeIf(start -> !world.hasObject(start.getKey())
+                        || world.getObject(start.getKey()).pose().equals(start.getValue()));
         boolean isMoved = true;
         while (isMoved && !left.isEmpty()) {
             isMoved = left.entrySet()

@@ -47,12 +47,16 @@ public final class LiveFilm {
      */
     record Event(long number, String text) {}
 
-    /**
-     * What a page begins with.
-     *
-     * @param number of the last change that it includes
-     */
-    record Start(long number, byte[] data) {}
+    /** What a page begins with, and the number of the last change that it includes. */
+    static final class Start {
+        final long number;
+        final byte[] data;
+
+        private Start(long number, byte[] data) {
+            this.number = number;
+            this.data = data;
+        }
+    }
 
     /**
      * What came after an event.

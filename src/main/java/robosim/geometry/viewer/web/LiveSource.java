@@ -35,6 +35,9 @@ public final class LiveSource implements AutoCloseable {
 
     private static final long PAUSE_MILLIS = 1000;
 
+    /** How late a page may be where a session is faster than its budget; then it begins anew with the present world. */
+    private static final long MOST_LATE_NANOS = 1_000_000_000;
+
     private final LiveFilm film;
     private final Opening opening;
     private final Colours colours;
@@ -70,17 +73,18 @@ public final class LiveSource implements AutoCloseable {
         try {
             while (!closed) {
                 film.awaitViewer();
+                boolean isLate = false;
                 try (StepReader opened = opening.open()) {
                     reader = opened;
                     film.tells(opened instanceof WatchReader dialled ? dialled::state : () -> "");
-                    follow(opened);
+                    isLate = follow(opened);
                 } catch (IOException | RuntimeException e) {
                     if (!closed) {
                         String why = String.valueOf(e.getMessage());
                         film.tells(() -> why);
                     }
                 }
-                if (!closed) {
+                if (!closed && !isLate) {
                     Thread.sleep(PAUSE_MILLIS);
                 }
             }
@@ -89,12 +93,14 @@ public final class LiveSource implements AutoCloseable {
         }
     }
 
-    /** Reads until the session is over, or there has been no page for a while. */
-    private void follow(StepReader opened) throws IOException, InterruptedException {
+    /** Reads until the session is over, or there has been no page for a while, or it falls behind; returns whether it does. */
+    private boolean follow(StepReader opened) throws IOException, InterruptedException {
         LongSupplier cpu = CpuTurns.ofThread();
         ScenarioHeader header = opened.header();
         Replayer stage = new Replayer(header.options(), colours);
         long rested = cpu.getAsLong();
+        long earliest = Long.MAX_VALUE;
+        long most = 0;
         for (Step step = opened.next(); step != null && film.isWatched(ALONE_SECONDS); step = opened.next()) {
             if (!header.equals(opened.header())) { // another server, with other defaults
                 header = opened.header();
@@ -104,13 +110,22 @@ public final class LiveSource implements AutoCloseable {
             if (connection != null) {
                 onConnection.accept(connection);
             }
+            long now = System.nanoTime();
+            long late = step.timing() == null ? 0 : now - step.timing().at();
+            earliest = Math.min(earliest, late);
+            if (most > 0 && late - earliest > most) {
+                return true;
+            }
             film.add(stage.play(step));
+            // The world itself may take longer to read than what happens in it may be late.
+            most = most > 0 ? most : MOST_LATE_NANOS + 2 * (System.nanoTime() - now);
             long rest = (cpu.getAsLong() - rested) * REST;
             if (rest > LEAST_REST_NANOS) {
                 Thread.sleep(Math.min(rest, MOST_REST_NANOS) / 1_000_000);
                 rested = cpu.getAsLong();
             }
         }
+        return false;
     }
 
     @Override

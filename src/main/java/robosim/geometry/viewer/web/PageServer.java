@@ -188,8 +188,8 @@ public final class PageServer implements AutoCloseable {
             say(exchange, 404, "there is no world yet");
             return;
         }
-        exchange.getResponseHeaders().set("X-Number", String.valueOf(start.number()));
-        send(exchange, 200, "application/octet-stream", start.data());
+        exchange.getResponseHeaders().set("X-Number", String.valueOf(start.number));
+        send(exchange, 200, "application/octet-stream", start.data);
     }
 
     private void command(HttpExchange exchange) throws IOException, InterruptedException {

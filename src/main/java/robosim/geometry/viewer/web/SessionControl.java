@@ -127,10 +127,9 @@ public final class SessionControl implements Control, Function<String, SessionLi
     /** Waits on a session's thread until its next moving request may be carried out, and carries out commands meanwhile. */
     void await(HeldSession held) {
         held.carryOut();
-        long since = System.nanoTime();
         while (true) {
             synchronized (this) {
-                long left = left(held, since);
+                long left = left(held);
                 if (left <= 0) {
                     steps -= paused && steps > 0 && held.isCalled(shown) ? 1 : 0;
                     return;
@@ -149,7 +148,7 @@ public final class SessionControl implements Control, Function<String, SessionLi
     }
 
     /** How long a session is still to wait, nanoseconds. */
-    private long left(HeldSession held, long since) {
+    private long left(HeldSession held) {
         if (closed || !held.isCalled(shown) || !film.isWatched(ALONE_SECONDS)) {
             return 0;
         }

@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
@@ -27,9 +28,11 @@ import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.draw.Painter;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.WorldReader;
 
 class PicturesTest {
     @Test
@@ -115,6 +118,28 @@ class PicturesTest {
     void aConversationOfNothingIsAPictureToo() {
         Scenario empty = new Scenario(new ScenarioHeader("nothing", SessionOptions.ROBOSIM), new Talk().steps());
         assertThat(Painter.svg(Pictures.lastMoments(empty))).contains("nothing");
+    }
+
+    /** One beam for each sonar of the file, as far as its world answers. */
+    @Test
+    void theSonarsOfAFileAreOnItsPlan() throws Exception {
+        World world = WorldReader.read(Path.of("worlds/rooms.xml"));
+        Geometry geometry = world.toGeometry(outside -> {});
+        List<Double> expected = new ArrayList<>();
+        for (WorldObject each : world.objects()) {
+            for (SonarRing ring : each.sonars()) {
+                for (int k = 0; k < ring.count(); k++) {
+                    Point to = ring.direction(k);
+                    expected.add(geometry.getSonarDistance(
+                            each.object().name(), to.x(), to.z(), ring.min(), ring.max(), ring.width()));
+                }
+            }
+        }
+        assertThat(expected).hasSizeGreaterThan(50);
+        assertThat(Pictures.sensed(world, "rooms").pings())
+                .extracting(Scene.Ping::distance)
+                .isEqualTo(expected);
+        assertThat(Pictures.of(world, "rooms").pings()).isEmpty();
     }
 
     @Test

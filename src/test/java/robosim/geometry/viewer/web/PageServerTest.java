@@ -21,6 +21,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -30,8 +32,10 @@ import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.Timing;
 import robosim.geometry.scenario.Watching;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.Talk;
@@ -171,18 +175,57 @@ class PageServerTest {
         Session session = new Session(SessionOptions.ROBOSIM, watching.apply("peer 1"), "peer 1");
         session.reply(Talk.begun().steps().get(0).request());
         List<String> connections = new ArrayList<>();
-        try (LiveSource source = new LiveSource(
-                        film,
-                        () -> StepReader.of(ScenarioReader.of(watching.lines(), "here")),
-                        Colours.NONE,
-                        connections::add);
-                Events events = new Events(server, -1)) {
+        LiveSource source = new LiveSource(
+                film, () -> StepReader.of(ScenarioReader.of(watching.lines(), "here")), Colours.NONE, connections::add);
+        try (Events events = new Events(server, -1)) {
             events.next("anew");
             assertThat(connections).containsExactly("peer 1");
             session.reply(new MoveBundle(List.of(Talk.move(0.25, 0))));
             assertThat(placed(events.next("frame"))[1]).isEqualTo(-4.75);
             session.reply(new InitBundle(List.of(Talk.DRUM)));
             events.next("anew");
+        } finally {
+            source.close();
+        }
+    }
+
+    /** A session that is faster than what may be computed for its pages is left behind, and joined again. */
+    @Test
+    void aPageIsNotLateForLong() throws Exception {
+        AtomicInteger openings = new AtomicInteger();
+        List<Step> steps = Talk.begun().drives(0.25, null).drives(-0.25, null).steps();
+        film.join();
+        LiveSource source = new LiveSource(
+                film,
+                () -> {
+                    openings.incrementAndGet();
+                    return new StepReader() {
+                        private int next;
+
+                        @Override
+                        public ScenarioHeader header() {
+                            return new ScenarioHeader("late", SessionOptions.ROBOSIM);
+                        }
+
+                        @Override
+                        public Step next() { // all at the beginning, by their times
+                            Step step = steps.get(next == 0 ? 0 : 1 + next % 2);
+                            next++;
+                            return new Step(0, List.of(), step.request(), null, new Timing(0, 0));
+                        }
+
+                        @Override
+                        public void close() {}
+                    };
+                },
+                Colours.NONE,
+                connection -> {});
+        try {
+            while (openings.get() < 3) {
+                TimeUnit.MILLISECONDS.sleep(20);
+            }
+        } finally {
+            source.close();
         }
     }
 
@@ -243,10 +286,11 @@ class PageServerTest {
     @Test
     void aRobotOfAFileIsDragged() throws Exception {
         World world = WorldReader.read(new ByteArrayInputStream("""
-                        <world xmlns="urn:robosim:world:1" width="20" height="5" length="10" dimension="PLANAR">
-                          <box name="wall" center="2 0 0" width="1" height="1" length="4"/>
-                          <cylinder name="drum" moveable="true" center="-5 0 0" radius="0.5" height="1"/>
-                        </world>""".getBytes(StandardCharsets.UTF_8)), "here", null);
+            <world xmlns="urn:robosim:world:1" width="20" height="5" length="10" dimension="PLANAR">
+              <box name="wall" center="2 0 0" width="1" height="1" length="4"/>
+              <cylinder name="drum" moveable="true" center="-5 0 0" radius="0.5" height="1"/>
+            </world>\
+            """.getBytes(StandardCharsets.UTF_8)), "here", null);
         LiveFilm own = new LiveFilm("here", "");
         WorldControl control = new WorldControl(world, own);
         try (PageServer dragged = PageServer.live(anyPort(), own, control);
