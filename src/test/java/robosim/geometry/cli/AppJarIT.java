@@ -49,7 +49,7 @@ class AppJarIT {
     private Run java(List<String> how, Object... arguments) throws Exception {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.add("-XX:TieredStopAtLevel=1");
+        command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"));
         command.addAll(how);
         return run(Map.of(), command, arguments);
     }
@@ -120,9 +120,9 @@ class AppJarIT {
 
     @Test
     void theDemoNeedsNothingButTheJar() throws Exception {
-        Run demo = app("demo", "--steps", 100);
+        Run demo = app("demo", "--steps", 30);
         assertThat(demo.err()).isEmpty();
-        assertThat(demo.out()).contains("100 steps of 8 robots", "nothing is wrong", "robosim-demo");
+        assertThat(demo.out()).contains("30 steps of 8 robots", "nothing is wrong", "robosim-demo");
         assertThat(demo.code()).isZero();
         Path left = folder.resolve("robosim-demo");
         assertThat(left.resolve("rooms.xml")).hasSameTextualContentAs(WORLDS.resolve("rooms.xml"));

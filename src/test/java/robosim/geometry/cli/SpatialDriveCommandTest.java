@@ -143,7 +143,7 @@ class SpatialDriveCommandTest {
         assertThat(out.toString()).containsPattern("\"ball\" .*met .*\"rover\"");
         assertThat(run("replay", file.toString())).isZero();
         Path results = folder.resolve("sweep.jsonl");
-        assertThat(run("sweep", file.toString(), "-n", "2", "-p", "place=0,0.02", "--out", results.toString()))
+        assertThat(run("sweep", file.toString(), "-n", "1", "-p", "place=0,0.02", "--out", results.toString()))
                 .as(err.toString())
                 .isZero();
         assertThat(Files.readString(results)).contains("stopped");

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
  */
 @Tag("clock")
 class SoakTest {
-    private static final long SECONDS = Long.getLong("soak.seconds", 4);
+    private static final long SECONDS = Long.getLong("soak.seconds", 2);
     private static final int BUNDLES = Integer.getInteger("soak.bundles", 500);
     private static final boolean LONG = SECONDS >= 60;
     private static final int ENVIRONMENTS = 4;
