@@ -96,7 +96,7 @@ public final class LeafTable {
 
         @Override
         public int hashCode() {
-            return 31 * kind.ordinal() + (kind.isSized() ? of.hashCode() : System.identityHashCode(of));
+            return kind.isSized() ? of.hashCode() : System.identityHashCode(of);
         }
     }
 
