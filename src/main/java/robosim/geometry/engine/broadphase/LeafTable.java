@@ -105,7 +105,7 @@ public final class LeafTable {
 
         @Override
         public int hashCode() {
-            return 31 * kind.name().hashCode() + (kind.isSized() ? of.hashCode() : System.identityHashCode(of));
+            return kind.isSized() ? of.hashCode() : System.identityHashCode(of);
         }
     }
 
