@@ -1,5 +1,7 @@
 package robosim.geometry.engine.objects;
 
+import java.util.EnumMap;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.Accuracy;
@@ -29,8 +31,8 @@ public final class Forms {
     /** The one that is given up next. */
     private int oldest;
 
-    /** For objects given by sizes, one of each kind; null until the first. */
-    private final @Nullable ObjectLeaves[] sized = new ObjectLeaves[GeometryObject.Kind.values().length];
+    /** For objects given by sizes, one of each kind. */
+    private final Map<GeometryObject.Kind, ObjectLeaves> sized = new EnumMap<>(GeometryObject.Kind.class);
 
     public Forms(Accuracy accuracy) {
         this.accuracy = accuracy;
@@ -40,11 +42,10 @@ public final class Forms {
     public void place(Dimension dimension, GeometryObject object, LeafColumn column) {
         column.clear();
         if (object.kind().isSized()) {
-            int kind = object.kind().ordinal();
-            ObjectLeaves form = sized[kind];
+            ObjectLeaves form = sized.get(object.kind());
             if (form == null) {
                 form = new ObjectLeaves(object, accuracy);
-                sized[kind] = form;
+                sized.put(object.kind(), form);
             }
             form.placeSized(dimension, object, column);
             return;
