@@ -70,7 +70,8 @@ class ProofOfWorldsTest {
             check(world, List.of(world.prove().cone(ray, 30, random.nextDouble(1, 90))), "cone");
         }
         // Cones past rims and a few distances of thin triangles have no proof yet.
-        counts.forEach((kind, count) -> assertThat(count[1]).as(kind + ", not proved of " + count[0]).isLessThanOrEqualTo(1 + count[0] / 50));
+        counts.forEach((kind, count) ->
+                assertThat(count[1]).as(kind + ", not proved of " + count[0]).isLessThanOrEqualTo(1 + count[0] / 50));
         assertThat(counts).hasSizeGreaterThan(8);
     }
 
