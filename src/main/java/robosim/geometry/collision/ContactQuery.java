@@ -14,6 +14,8 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.mesh.ContactPairs;
 import robosim.geometry.narrow.mesh.NearestPairs;
 import robosim.geometry.narrow.mesh.SignedPairs;
+import robosim.geometry.proof.Attempt;
+import robosim.geometry.proof.Prover;
 
 /**
  * Finds where two objects touch and, within a budget of work, whether they touch and how far apart they are.
@@ -189,6 +191,17 @@ public final class ContactQuery {
 
     private static Point point(double[] numbers, int at) {
         return new Point(numbers[at], numbers[at + 1], numbers[at + 2]);
+    }
+
+    /**
+     * Whether two objects touch or overlap in space, with a proof: that they are apart, or that they have a point in common. An
+     * attempt without a proof says nothing about the objects.
+     */
+    public static Attempt prove(GeometryObject a, GeometryObject b) {
+        check(a, b, Dimension.SPATIAL);
+        Prover prover = Prover.of(b);
+        Attempt apart = prover.apart(a);
+        return apart.isProved() ? apart : prover.touching(a, 0);
     }
 
     private static Verdict limited(

@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.proof.ProofChecker.Flaw;
 import robosim.geometry.proof.Witness.Contact;
 import robosim.geometry.proof.Witness.Form;
 
@@ -77,11 +78,11 @@ final class ContactSearch {
         }
         edges(i, mine, j, theirs, Form.MINE, all);
         edges(i, theirs, j, mine, Form.THEIRS, all);
-        balls(i, mine, j, theirs, Form.MY_BALL, all);
-        balls(i, theirs, j, mine, Form.THEIR_BALL, all);
+        balls(i, mine, j, Form.MY_BALL, all);
+        balls(i, theirs, j, Form.THEIR_BALL, all);
         point(i, j, mine[0], mine[1], mine[2], all);
         point(i, j, theirs[0], theirs[1], theirs[2], all);
-        if (mine.length == 17 && mine[15] > 0 || theirs.length == 17 && theirs[15] > 0) {
+        if ((mine.length == 17 && mine[15] > 0) || (theirs.length == 17 && theirs[15] > 0)) {
             inner(mine, theirs, common);
             point(i, j, common[0], common[1], common[2], all);
             chord(i, mine, j, theirs, common, Form.MY_CHORD, d, all);
@@ -158,7 +159,7 @@ final class ContactSearch {
         return row[13] == 0 || gap(row, other) <= FAR * (Rows.size(row) + Rows.size(other));
     }
 
-    private static void balls(int i, double[] of, int j, double[] other, Form form, List<Contact> all) {
+    private static void balls(int i, double[] of, int j, Form form, List<Contact> all) {
         if (of.length == 17 && of[16] > 0) {
             for (int k = 0; k < (of[13] > 0 ? 2 : 1); k++) {
                 for (int face = 0; face < 3; face++) {

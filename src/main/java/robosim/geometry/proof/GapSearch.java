@@ -71,7 +71,7 @@ final class GapSearch {
     private void nearest() {
         double least = Double.POSITIVE_INFINITY;
         int chosen = 0;
-        for (int set = 1; set < 1 << count; set++) {
+        for (int set = 1; set < (1 << count); set++) {
             if (solve(set)) {
                 double x = 0;
                 double y = 0;
@@ -94,7 +94,7 @@ final class GapSearch {
         }
         int kept = 0;
         for (int k = 0; k < count; k++) {
-            if ((chosen >> k & 1) == 1) {
+            if (((chosen >> k) & 1) == 1) {
                 double[] swap = points[kept];
                 points[kept++] = points[k];
                 points[k] = swap;
@@ -112,7 +112,7 @@ final class GapSearch {
         int[] which = new int[3];
         int row = 0;
         for (int k = base + 1; k < count; k++) {
-            if ((set >> k & 1) == 1) {
+            if (((set >> k) & 1) == 1) {
                 which[row++] = k;
             }
         }

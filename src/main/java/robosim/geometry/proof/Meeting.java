@@ -1,5 +1,7 @@
 package robosim.geometry.proof;
 
+import robosim.geometry.proof.ProofChecker.Flaw;
+
 /** Whether a witness shows that two pieces have a point in common. Exact. */
 final class Meeting {
     private Meeting() {}

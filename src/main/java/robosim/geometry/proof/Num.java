@@ -18,8 +18,8 @@ record Num(BigInteger m, int e) implements Comparable<Num> {
             return ZERO;
         }
         long bits = Double.doubleToRawLongBits(v);
-        int exponent = (int) (bits >> 52 & 0x7ff);
-        long mantissa = bits & 0xfffffffffffffL | (exponent == 0 ? 0 : 1L << 52);
+        int exponent = (int) ((bits >> 52) & 0x7ff);
+        long mantissa = (bits & 0xfffffffffffffL) | (exponent == 0 ? 0 : 1L << 52);
         int even = Long.numberOfTrailingZeros(mantissa);
         return new Num(BigInteger.valueOf((v < 0 ? -mantissa : mantissa) >> even), Math.max(exponent, 1) - 1075 + even);
     }
@@ -71,7 +71,7 @@ record Num(BigInteger m, int e) implements Comparable<Num> {
             throw new ArithmeticException("a root must be of a number of at least 0 (got: " + this + ")");
         }
         int shift = Math.max(0, 2 * BITS - m.bitLength());
-        shift += e - shift & 1;
+        shift += (e - shift) & 1;
         BigInteger wide = m.shiftLeft(shift);
         BigInteger root = wide.sqrt();
         return new Num(root.multiply(root).equals(wide) ? root : root.add(BigInteger.ONE), (e - shift) / 2);

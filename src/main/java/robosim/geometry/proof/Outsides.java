@@ -7,6 +7,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.proof.ProofChecker.Flaw;
 
 /** Finds rays that show whether points are inside solid meshes. */
 final class Outsides {
@@ -27,14 +28,21 @@ final class Outsides {
     /** A ray from a point that crosses a closed surface as often as a parity says; null if there is none. */
     static @Nullable Point direction(Vec start, List<Piece> solid, int parity) {
         for (double[] ray : RAYS) {
-            try {
-                int crossings = ScenePieces.crossings(start, Vec.of(ray[0], ray[1], ray[2]), solid);
+            int crossings = crossings(start, Vec.of(ray[0], ray[1], ray[2]), solid);
+            if (crossings >= 0) {
                 return crossings % 2 == parity ? new Point(ray[0], ray[1], ray[2]) : null;
-            } catch (Flaw passesAnEdge) {
-                continue;
             }
         }
         return null;
+    }
+
+    /** How many triangles a ray crosses; -1 if it passes an edge. */
+    private static int crossings(Vec start, Vec ray, List<Piece> solid) {
+        try {
+            return ScenePieces.crossings(start, ray, solid);
+        } catch (Flaw passesAnEdge) {
+            return -1;
+        }
     }
 
     /** Adds what a course needs; returns why it cannot, or nothing. */

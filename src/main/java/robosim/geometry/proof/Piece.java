@@ -2,6 +2,7 @@ package robosim.geometry.proof;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
@@ -107,6 +108,7 @@ final class Piece {
     }
 
     /** The same as an upright prism about height 0, which is all that counts in the plane; null if it is a tipped box, cylinder or capsule. */
+    @Nullable
     Piece flat() {
         double[] s = stored.clone();
         if (isTriangle) {
@@ -196,7 +198,7 @@ final class Piece {
         return ballRadius.sign() > 0
                 ? hitsBall(p, q, -1, ballRadius)
                         || hitsBall(p, q, 1, ballRadius)
-                        || h[1].sign() > 0 && hitsTube(p, q, ballRadius)
+                        || (h[1].sign() > 0 && hitsTube(p, q, ballRadius))
                 : discRadius.sign() > 0 ? hitsTube(p, q, discRadius) : hitsBox(p, q);
     }
 
@@ -322,7 +324,7 @@ final class Piece {
                     && high.times(a).compareTo(b.negate().times(overHigh)) > 0;
             return isNegative(a, b, f, low, overLow)
                     || isNegative(a, b, f, high, overHigh)
-                    || isBetween && a.times(f).compareTo(b.square()) <= 0;
+                    || (isBetween && a.times(f).compareTo(b.square()) <= 0);
         }
 
         private static boolean isNegative(Num a, Num b, Num f, Num s, Num over) {

@@ -31,6 +31,21 @@ public final class ProofChecker {
      */
     public record Result(boolean isValid, String reason) {}
 
+    /** Where a proof fails. */
+    static final class Flaw extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        Flaw(String reason) {
+            super(reason, null, false, false);
+        }
+
+        static void unless(boolean holds, String reason) {
+            if (!holds) {
+                throw new Flaw(reason);
+            }
+        }
+    }
+
     /** A checker of proofs about a scene. */
     public ProofChecker(Scene scene) {
         if (scene == null) {
@@ -101,7 +116,7 @@ public final class ProofChecker {
     /** Checks that a body is free of an object, or of all objects and within the world. */
     private void free(GeometryObject body, int self, int other, Path path, List<Integer> touched, Witness w) {
         require(
-                other == Claim.ALL || other >= 0 && other < pieces.objects() && other != self,
+                other == Claim.ALL || (other >= 0 && other < pieces.objects() && other != self),
                 "there is no object " + other);
         Separation separation =
                 new Separation(pieces, path, ScenePieces.solids(body, 0), Num.ZERO, Set.copyOf(touched), w);
@@ -122,7 +137,7 @@ public final class ProofChecker {
         List<Piece> body = body(c.body(), c.self());
         Num low = finite("low", c.low());
         require(
-                c.other() == Claim.ALL || c.other() >= 0 && c.other() < pieces.objects() && c.other() != c.self(),
+                c.other() == Claim.ALL || (c.other() >= 0 && c.other() < pieces.objects() && c.other() != c.self()),
                 "there is no object " + c.other());
         if (c.low() > 0) {
             Path path = Path.along(body, Vec.ZERO, Num.ZERO);

@@ -106,7 +106,7 @@ public final class Prover {
         for (int k = -53; k <= -20; k++) {
             double at = Math.min(1, fraction + step);
             Contact contact = other == Claim.BORDER ? null : contact(body, other, displacement, at);
-            if (contact != null || other == Claim.BORDER && leaves(body, displacement, at)) {
+            if (contact != null || (other == Claim.BORDER && leaves(body, displacement, at))) {
                 Claim claim = new Claim.Blocked(body, self, displacement, fraction, at, other, touched);
                 return free.attempt(claim, body, contact, 0);
             }
@@ -434,7 +434,8 @@ public final class Prover {
             for (int i = 0; i < course.rows.length; i++) {
                 bounds(i, swept, 0);
                 for (int axis = 0; axis < 3; axis++) {
-                    boolean isSure = swept[axis] >= -half[axis] && swept[3 + axis] <= half[axis] || isFlat && axis == 1;
+                    boolean isSure =
+                            (swept[axis] >= -half[axis] && swept[3 + axis] <= half[axis]) || (isFlat && axis == 1);
                     if (!isSure) {
                         Scene empty = new Scene(List.of(), scene.dimension(), size);
                         return Separation.isWithin(new ScenePieces(empty), course.exact(), size);

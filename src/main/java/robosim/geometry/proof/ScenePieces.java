@@ -7,6 +7,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.proof.ProofChecker.Flaw;
 
 /** The pieces of all objects of a scene, counted through. */
 final class ScenePieces {
@@ -101,7 +102,7 @@ final class ScenePieces {
                 most = Math.max(most, side);
             }
             Vec n = t.r[1].minus(t.r[0]).cross(t.r[2].minus(t.r[0]));
-            if (least < 0 && most > 0 || n.isZero()) {
+            if ((least < 0 && most > 0) || n.isZero()) {
                 continue; // what has no area changes nothing
             }
             Flaw.unless(least == most && least != 0, "a ray passes an edge of a solid mesh");

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
+import robosim.geometry.proof.ProofChecker.Flaw;
 
 /** Whether a plane is proved to keep each piece of a path from each piece of a scene, at every moment of it. */
 final class Separation {
@@ -53,7 +54,7 @@ final class Separation {
     }
 
     private static long key(int mine, int theirs) {
-        return (long) mine << 32 | theirs;
+        return ((long) mine << 32) | (theirs & 0xffffffffL);
     }
 
     private Vec normal(Point direction) {
@@ -161,7 +162,7 @@ final class Separation {
         Num gap = bound.minus(top);
         return margin.sign() > 0
                 ? gap.sign() > 0 && gap.square().compareTo(margin.square().times(n.dot(n))) >= 0
-                : gap.sign() > 0 || isWeak && gap.sign() == 0;
+                : gap.sign() > 0 || (isWeak && gap.sign() == 0);
     }
 
     /** Whether one of the directions for all pairs keeps all of some pieces from all of those that move. */

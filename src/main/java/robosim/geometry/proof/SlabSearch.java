@@ -66,8 +66,7 @@ final class SlabSearch {
         }
         if (!isSure && best.gap > margin - (course.cosine > 0 ? 1e9 : 1e4) * error) {
             for (double[] n : across(i, j, from, to)) {
-                isSure = !isSure && gap(i, j, n, from, to) > margin - error && isExact(i, j, n, from, to, isWeak)
-                        || isSure;
+                isSure = gap(i, j, n, from, to) > margin - error && isExact(i, j, n, from, to, isWeak);
                 if (isSure) {
                     best.n = n;
                     break;
@@ -96,10 +95,10 @@ final class SlabSearch {
     /** The direction that the kernel has for what is still, or at a moment of a motion. */
     private boolean quick(int i, int j, double from, double to, double error, Best best) {
         return kernel(i, j, from, from, to, error, best)
-                || course.cosine == 0
+                || (course.cosine == 0
                         && to > from
                         && (kernel(i, j, to, from, to, error, best)
-                                || kernel(i, j, (from + to) / 2, from, to, error, best));
+                                || kernel(i, j, (from + to) / 2, from, to, error, best)));
     }
 
     private boolean kernel(int i, int j, double moment, double from, double to, double error, Best best) {
@@ -270,6 +269,6 @@ final class SlabSearch {
         return margin > 0
                 ? gap.sign() > 0
                         && gap.square().compareTo(Num.of(margin).square().times(normal.dot(normal))) >= 0
-                : gap.sign() > 0 || isWeak && gap.sign() == 0;
+                : gap.sign() > 0 || (isWeak && gap.sign() == 0);
     }
 }

@@ -29,9 +29,6 @@ class ProofOfWorldsTest {
             count[0]++;
             if (attempt.proof() == null) {
                 count[1]++;
-                if (System.getProperty("show") != null) {
-                    System.out.println(kind + " " + attempt.reason() + " " + attempt.claim());
-                }
                 continue;
             }
             ProofChecker.Result result = checker.check(attempt.proof());
@@ -72,7 +69,10 @@ class ProofOfWorldsTest {
             check(world, List.of(world.prove().ray(ray, 30)), "ray");
             check(world, List.of(world.prove().cone(ray, 30, random.nextDouble(1, 90))), "cone");
         }
-        counts.forEach((kind, count) -> System.out.println(kind + ": " + count[0] + ", unproved " + count[1]));
+        // Cones past rims and a few distances of thin triangles have no proof yet.
+        counts.forEach((kind, count) ->
+                assertThat(count[1]).as(kind + ", not proved of " + count[0]).isLessThanOrEqualTo(1 + count[0] / 50));
+        assertThat(counts).hasSizeGreaterThan(8);
     }
 
     @Test
