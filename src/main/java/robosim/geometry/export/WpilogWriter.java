@@ -41,9 +41,13 @@ final class WpilogWriter implements MessageSink {
         this.out = out;
         this.epoch = epoch;
         byte[] library = "robosim-geometry".getBytes(StandardCharsets.UTF_8);
-        ByteBuffer header = little(12 + library.length);
-        header.put("WPILOG".getBytes(StandardCharsets.UTF_8)).putShort((short) VERSION);
-        out.write(header.putInt(library.length).put(library).array());
+        byte[] header = new byte[12 + library.length];
+        little(header)
+                .put("WPILOG".getBytes(StandardCharsets.UTF_8))
+                .putShort((short) VERSION)
+                .putInt(library.length)
+                .put(library);
+        out.write(header);
         for (Map.Entry<String, String> schema : SCHEMAS.entrySet()) {
             int entry = entry("/.schema/struct:" + schema.getKey(), "structschema", 0);
             record(entry, 0, schema.getValue().getBytes(StandardCharsets.UTF_8));
@@ -107,19 +111,15 @@ final class WpilogWriter implements MessageSink {
 
     private void scan(String topic, List<?> scan, long micros) throws IOException {
         float[] ranges = (float[]) scan.get(8);
-        ByteBuffer bytes = little(4 * ranges.length);
-        for (float range : ranges) {
-            bytes.putFloat(range);
-        }
-        record(entry(topic, "float[]", micros), micros, bytes.array());
+        byte[] bytes = new byte[4 * ranges.length];
+        little(bytes).asFloatBuffer().put(ranges);
+        record(entry(topic, "float[]", micros), micros, bytes);
     }
 
     private void send(String name, String type, long micros, double... numbers) throws IOException {
-        ByteBuffer bytes = little(8 * numbers.length);
-        for (double number : numbers) {
-            bytes.putDouble(number);
-        }
-        record(entry(name, type, micros), micros, bytes.array());
+        byte[] bytes = new byte[8 * numbers.length];
+        little(bytes).asDoubleBuffer().put(numbers);
+        record(entry(name, type, micros), micros, bytes);
     }
 
     /** An entry's number; it is started at its first value. */
@@ -132,26 +132,28 @@ final class WpilogWriter implements MessageSink {
         entries.put(name, entry);
         byte[] nameBytes = name.getBytes(StandardCharsets.UTF_8);
         byte[] typeBytes = type.getBytes(StandardCharsets.UTF_8);
-        ByteBuffer start = little(17 + nameBytes.length + typeBytes.length);
-        start.put((byte) 0).putInt(entry);
-        start.putInt(nameBytes.length).put(nameBytes);
-        start.putInt(typeBytes.length).put(typeBytes);
-        record(0, micros, start.putInt(0).array());
+        byte[] start = new byte[17 + nameBytes.length + typeBytes.length];
+        little(start)
+                .put((byte) 0)
+                .putInt(entry)
+                .putInt(nameBytes.length)
+                .put(nameBytes)
+                .putInt(typeBytes.length)
+                .put(typeBytes)
+                .putInt(0);
+        record(0, micros, start);
         return entry;
     }
 
     private void record(int entry, long micros, byte[] payload) throws IOException {
-        ByteBuffer head = little(17);
-        out.write(head.put((byte) WIDTHS)
-                .putInt(entry)
-                .putInt(payload.length)
-                .putLong(micros)
-                .array());
+        byte[] head = new byte[17];
+        little(head).put((byte) WIDTHS).putInt(entry).putInt(payload.length).putLong(micros);
+        out.write(head);
         out.write(payload);
     }
 
-    private static ByteBuffer little(int bytes) {
-        return ByteBuffer.allocate(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    private static ByteBuffer little(byte[] bytes) {
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     }
 
     private static List<?> list(List<?> value, int index) {

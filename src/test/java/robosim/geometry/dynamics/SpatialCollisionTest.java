@@ -3,12 +3,12 @@ package robosim.geometry.dynamics;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
-import java.util.ArrayList;
-import java.util.List;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
