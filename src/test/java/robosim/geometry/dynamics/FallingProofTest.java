@@ -236,6 +236,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("8e09a57aea9cfb2c");
+        assertThat(Long.toHexString(digest)).isEqualTo("87c6f74b24747a56");
     }
 }

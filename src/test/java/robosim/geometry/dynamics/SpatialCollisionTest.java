@@ -7,6 +7,8 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
+import java.util.ArrayList;
+import java.util.List;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -112,5 +114,61 @@ class SpatialCollisionTest {
                 assertThat(massA * one.z() + massB * other.z()).as(what).isCloseTo(0, within(rounding));
             }
         }
+    }
+
+    /** A body bounces as it does alone, to the bit, while others collide far from it. */
+    @Test
+    void whatCollidesFarAwayChangesNothing() {
+        List<Point> places = new ArrayList<>();
+        for (boolean isAlone : new boolean[] {true, false}) {
+            Geometry world = FallingTest.floor();
+            Surface surface = new Surface(0.6, 0.5, 0.4);
+            Dynamics dynamics = new Dynamics(world, surface);
+            BoxObject box = new BoxObject(new Point(0, 1, 0), 0.5, 0.3, 0.4);
+            for (int k = 0; k < (isAlone ? 1 : 4); k++) {
+                Point at = new Point(k == 0 ? 0 : 3, k == 0 ? 1 : k, 0);
+                assertThat(world.addObject(box.movedTo(at).turned(20 * k, 30).moveable("b" + k)))
+                        .isTrue();
+                dynamics.add("b" + k, Body.ofMass(box, 1).withSurface(surface));
+                dynamics.setSpatialVelocity("b" + k, new SpatialVelocity(0, 0, 0.1, 100, 50, 20));
+            }
+            for (int step = 0; step < 30; step++) {
+                dynamics.advance(0.02);
+            }
+            places.add(world.getObject("b0").center());
+        }
+        assertThat(places.get(1)).isEqualTo(places.get(0));
+    }
+
+    /** A ball that a heavy one throws reaches in the same slice what neither was near when it began: nothing is lost. */
+    @Test
+    void whatIsThrownFartherThanItCouldGoByItselfKeepsItsMomentum() {
+        int thrown = 0;
+        for (int run = 0; run < 40; run++) {
+            Geometry world = new Geometry(100, 20, 20);
+            Surface smooth = new Surface(run % 2, 0, 0);
+            Dynamics dynamics = new Dynamics(world, smooth, WEIGHTLESS);
+            double[] mass = {3, 1, 1000};
+            double[] at = {0.35, 0.1, -0.401 - 0.002 * run};
+            double[] radius = {0.1, 0.1, 0.4};
+            for (int k = 0; k < 3; k++) {
+                SphereObject ball = new SphereObject(new Point(at[k], 0, 0), radius[k]);
+                assertThat(world.addObject(ball.moveable("b" + k))).isTrue();
+                dynamics.add("b" + k, Body.of(mass[k], 1).withSurface(smooth));
+            }
+            dynamics.setSpatialVelocity("b2", new SpatialVelocity(100, 0, 0, 0, 0, 0));
+            dynamics.step(0.001);
+            double momentum = 0;
+            double energy = 0;
+            for (int k = 0; k < 3; k++) {
+                double v = dynamics.spatialVelocity("b" + k).x();
+                momentum += mass[k] * v;
+                energy += 0.5 * mass[k] * v * v;
+            }
+            thrown += dynamics.spatialVelocity("b0").x() > 1 ? 1 : 0;
+            assertThat(momentum).as("run %d", run).isCloseTo(1e5, within(1e-4));
+            assertThat(energy).as("run %d", run).isLessThan(5e6 * (1 + 1e-9));
+        }
+        assertThat(thrown).isBetween(6, 38);
     }
 }

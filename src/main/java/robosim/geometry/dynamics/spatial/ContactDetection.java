@@ -9,7 +9,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 /** Finds where bodies touch. */
 final class ContactDetection {
     /** Contacts are looked for within so many metres. */
-    private static final double TOUCH = 1e-4;
+    static final double TOUCH = 1e-4;
 
     /** What rises above a plane by less than so many metres is flush with it. */
     private static final double FLUSH = 1e-7;

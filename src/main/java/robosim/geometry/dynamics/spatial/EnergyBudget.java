@@ -1,6 +1,5 @@
 package robosim.geometry.dynamics.spatial;
 
-import java.util.Arrays;
 import java.util.List;
 
 /** The energy of bodies in a slice, shared by those that touch each other; and which of them come to rest. */
@@ -15,6 +14,7 @@ final class EnergyBudget {
 
     private final List<RigidBody> bodies;
     private final double[] gravity;
+    private final Clusters cluster;
 
     // By group: the energy before and what drives have added, the kinetic one now, the potential one gained, and
     // whether anything that stands still is touched.
@@ -27,14 +27,16 @@ final class EnergyBudget {
     private boolean[] isPressed = new boolean[0];
     private boolean[] isHeld = new boolean[0];
 
-    EnergyBudget(List<RigidBody> bodies, double[] gravity) {
+    EnergyBudget(List<RigidBody> bodies, double[] gravity, Clusters cluster) {
         this.bodies = bodies;
         this.gravity = gravity;
+        this.cluster = cluster;
     }
 
-    /** Notes what each body has when a slice begins, after damping. */
+    /** Notes what each body of a cluster has when a slice begins, after damping. */
     void begin(double seconds) {
-        for (int b = 0; b < bodies.size(); b++) {
+        for (int m = 0; m < cluster.count; m++) {
+            int b = cluster.member[m];
             RigidBody body = bodies.get(b);
             body.group = b;
             body.isTouching = false;
@@ -65,10 +67,13 @@ final class EnergyBudget {
         if (other.isAsleep && (body.isPressed || body.speed(body.v) > WAKE)) {
             other.wake();
         }
+        if (!cluster.has(a) || !cluster.has(b)) {
+            return; // the energy that they exchange counts as work
+        }
         int from = body.group;
         int to = other.group;
-        for (int k = 0; k < bodies.size(); k++) {
-            RigidBody each = bodies.get(k);
+        for (int m = 0; from != to && m < cluster.count; m++) {
+            RigidBody each = bodies.get(cluster.member[m]);
             each.group = each.group == from ? to : each.group;
         }
     }
@@ -78,30 +83,31 @@ final class EnergyBudget {
      * from the speed. Bodies that touch nothing but each other keep both momenta instead.
      */
     void finish(double seconds, FreeGroup free) {
-        for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
+        for (int m = 0; m < cluster.count; m++) {
+            RigidBody body = bodies.get(cluster.member[m]);
             if (!body.isAsleep) {
                 System.arraycopy(body.u, 0, body.v, 0, 6);
             }
         }
         sum();
         lend();
-        for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
+        for (int m = 0; m < cluster.count; m++) {
+            RigidBody body = bodies.get(cluster.member[m]);
             int group = body.group;
             body.isPressed = isPressed[group];
             if (isHeld[group] && moving[group] + risen[group] > before[group]) {
                 brake(body, group);
             }
         }
-        free.list();
-        for (int group = 0; group < bodies.size(); group++) {
+        free.list(cluster);
+        for (int m = 0; m < cluster.count; m++) {
+            int group = cluster.member[m];
             if (!isHeld[group] && moving[group] > 0) {
                 free.keep(group, seconds, before[group]);
             }
         }
-        for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
+        for (int m = 0; m < cluster.count; m++) {
+            RigidBody body = bodies.get(cluster.member[m]);
             if (!body.isAsleep) {
                 body.slow = body.isTouching && !body.isPressed && body.speed(body.v) < SLOW ? body.slow + seconds : 0;
                 if (body.slow > REST) {
@@ -113,19 +119,21 @@ final class EnergyBudget {
 
     /** Lends groups what solutions that are not exact have added, and takes it back from what they lose. */
     private void lend() {
-        for (int b = 0; b < bodies.size(); b++) {
+        for (int m = 0; m < cluster.count; m++) {
+            int b = cluster.member[m];
             lends[b] = 0;
             lent[b] = 0;
             mostLent[b] = 0;
         }
-        for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
+        for (int m = 0; m < cluster.count; m++) {
+            RigidBody body = bodies.get(cluster.member[m]);
             lends[body.group] += body.lends;
             lent[body.group] += body.lent;
             mostLent[body.group] += body.mostLent;
             body.lent = 0;
         }
-        for (int group = 0; group < bodies.size(); group++) {
+        for (int m = 0; m < cluster.count; m++) {
+            int group = cluster.member[m];
             double excess = moving[group] + risen[group] - before[group];
             double by = Math.max(-lent[group], Math.min(excess, Math.min(lends[group], mostLent[group] - lent[group])));
             if (isHeld[group]) {
@@ -157,13 +165,16 @@ final class EnergyBudget {
             isPressed = new boolean[count];
             isHeld = new boolean[count];
         }
-        Arrays.fill(before, 0);
-        Arrays.fill(moving, 0);
-        Arrays.fill(risen, 0);
-        Arrays.fill(isPressed, false);
-        Arrays.fill(isHeld, false);
-        for (int b = 0; b < count; b++) {
-            RigidBody body = bodies.get(b);
+        for (int m = 0; m < cluster.count; m++) {
+            int b = cluster.member[m];
+            before[b] = 0;
+            moving[b] = 0;
+            risen[b] = 0;
+            isPressed[b] = false;
+            isHeld[b] = false;
+        }
+        for (int m = 0; m < cluster.count; m++) {
+            RigidBody body = bodies.get(cluster.member[m]);
             if (!body.isAsleep) {
                 int group = body.group;
                 before[group] += body.energy + body.work;

@@ -57,14 +57,17 @@ final class FreeGroup {
         this.detection = detection;
     }
 
-    /** Lists the bodies of each group, after the groups have changed. */
-    void list() {
+    /** Lists the bodies of each group of a cluster, after the groups have changed. */
+    void list(Clusters cluster) {
         if (first.length < bodies.size()) {
             first = new int[2 * bodies.size()];
             next = new int[2 * bodies.size()];
         }
-        Arrays.fill(first, 0, bodies.size(), -1);
-        for (int b = bodies.size() - 1; b >= 0; b--) {
+        for (int m = 0; m < cluster.count; m++) {
+            first[cluster.member[m]] = -1;
+        }
+        for (int m = cluster.count - 1; m >= 0; m--) {
+            int b = cluster.member[m];
             int group = bodies.get(b).group;
             next[b] = first[group];
             first[group] = b;

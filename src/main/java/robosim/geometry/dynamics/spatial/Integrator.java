@@ -52,6 +52,7 @@ final class Integrator {
     private final ContactDetection detection;
     private final SequentialImpulses impulses;
     private final Contacts contacts;
+    private final Clusters cluster;
     private final ContactTeller tell;
 
     /** What acts on bodies from things that stand still until a part of a slice ends, or until they collide. */
@@ -79,6 +80,7 @@ final class Integrator {
             ContactDetection detection,
             SequentialImpulses impulses,
             Contacts contacts,
+            Clusters cluster,
             ContactTeller tell) {
         this.bodies = bodies;
         this.gravity = gravity;
@@ -86,6 +88,7 @@ final class Integrator {
         this.detection = detection;
         this.impulses = impulses;
         this.contacts = contacts;
+        this.cluster = cluster;
         this.tell = tell;
     }
 
@@ -110,8 +113,8 @@ final class Integrator {
 
     /** Lets a part of a slice begin, in which no body has been carried yet; it is a share of the time looked ahead. */
     void begin(double share) {
-        for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
+        for (int m = 0; m < cluster.count; m++) {
+            RigidBody body = bodies.get(cluster.member[m]);
             body.isCarried = body.isAsleep;
             if (share < 1 && !body.isAsleep) {
                 for (int k = 0; k < 6; k++) {
@@ -382,6 +385,7 @@ final class Integrator {
         detection.gather(b, true);
         for (int k = 0; k < contacts.count; k++) {
             remember(contacts.other[k]);
+            body.isHeld |= isElsewhere(contacts.other[k]); // its cluster has not all of the momentum
         }
         double gap = TurningSweep.GAP;
         if (doublings > 0 && !isBesideMoving()) {
@@ -395,6 +399,9 @@ final class Integrator {
         body.release();
         fallOn(body, rest);
         impulses.solve(contacts, b, true, rest, gap, surfaces);
+        for (int k = 0; k < contacts.count; k++) {
+            settle(body, contacts.other[k]);
+        }
         act(b, rest);
         tell.tell();
     }
@@ -418,10 +425,33 @@ final class Integrator {
         }
     }
 
+    private boolean isElsewhere(int other) {
+        return other >= 0 && !bodies.get(other).isAsleep && !cluster.has(other);
+    }
+
+    /**
+     * Notes how another body moves before a collision. One of another cluster, which was farther away than the two could come,
+     * but for what others gave them, has its slice before or after: it gets all at once.
+     */
     private void remember(int other) {
         if (other >= 0) {
             RigidBody body = bodies.get(other);
             System.arraycopy(body.v, 0, body.known, 0, 6);
+            if (isElsewhere(other)) {
+                System.arraycopy(body.v, 0, body.u, 0, 6);
+                body.energy = body.kinetic(body.v);
+            }
+        }
+    }
+
+    /** Lets a body of another cluster keep what it got; the energy counts as work. */
+    private void settle(RigidBody body, int other) {
+        if (isElsewhere(other)) {
+            RigidBody hit = bodies.get(other);
+            double now = hit.kinetic(hit.u);
+            body.work -= now - hit.energy;
+            hit.energy = now;
+            System.arraycopy(hit.u, 0, hit.v, 0, 6);
         }
     }
 

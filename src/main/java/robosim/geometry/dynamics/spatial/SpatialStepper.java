@@ -25,6 +25,7 @@ public final class SpatialStepper {
     private final Placer placer;
     private final double[] gravity;
     private final List<RigidBody> bodies = new ArrayList<>();
+    private final Clusters cluster;
     private final EnergyBudget budget;
     private final TurningSweep way;
     private final Traction traction;
@@ -65,14 +66,15 @@ public final class SpatialStepper {
                 new NearbyPieces(placer, new double[] {world.width / 2, world.height / 2, world.length / 2});
         way = new TurningSweep(placer, near);
         this.gravity = gravity.clone();
-        budget = new EnergyBudget(bodies, this.gravity);
-        traction = new Traction(bodies, this.gravity);
+        cluster = new Clusters(bodies, this.gravity);
+        budget = new EnergyBudget(bodies, this.gravity, cluster);
+        traction = new Traction(bodies, this.gravity, cluster);
         impulses = new SequentialImpulses(bodies, traction);
         detection = new ContactDetection(bodies, budget, near, contacts);
         impact = new SpatialTimeOfImpact(bodies, near);
         free = new FreeGroup(bodies, this.gravity, placer, detection);
         loosening = new Loosening(bodies, placer, way, detection, this.gravity);
-        carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, new Teller());
+        carriage = new Integrator(bodies, this.gravity, way, detection, impulses, contacts, cluster, new Teller());
     }
 
     /** Forgets all bodies. */
@@ -183,17 +185,36 @@ public final class SpatialStepper {
         }
     }
 
-    /** Moves all bodies by a slice of time, in parts that end where two of them meet; false if all rest. */
+    /** Moves all bodies by a slice of time, one cluster after the other; false if all rest. */
     private boolean slice(double seconds, ContactSurfaces surfaces) {
+        traction.begin(seconds);
+        cluster.find(seconds);
+        for (int b = 0; b < bodies.size(); b++) {
+            bodies.get(b).isCarried = true; // of other clusters, none makes way
+            bodies.get(b).group = b;
+        }
+        boolean any = false;
+        int turn = impulses.turn();
+        int latest = turn;
+        for (int first = 0; first < bodies.size(); first++) {
+            if (cluster.take(first)) {
+                any = true;
+                impulses.turn(turn); // so that no cluster is favoured by how many there are
+                parts(seconds, surfaces);
+                latest = Math.max(latest, impulses.turn());
+            }
+        }
+        impulses.turn(latest);
+        return any;
+    }
+
+    /** Moves a cluster by a slice of time, in parts that end where two of its bodies meet. */
+    private void parts(double seconds, ContactSurfaces surfaces) {
         double left = seconds;
         for (int parts = 1; left > 0; parts++) {
             double made = part(left, parts < MOST_PARTS, surfaces);
-            if (made == 0) {
-                return false;
-            }
             left = made < left ? left - made : 0;
         }
-        return true;
     }
 
     /** Takes over what others have done to the world since. */
@@ -216,37 +237,29 @@ public final class SpatialStepper {
     }
 
     /**
-     * Moves all bodies by a time, or for less where two of them meet before; answers for how long, 0 if all rest.
+     * Moves a cluster by a time, or for less where two bodies meet before; answers for how long.
      *
      * @param mayEnd whether it may end before
      */
     private double part(double seconds, boolean mayEnd, ContactSurfaces surfaces) {
-        traction.begin(seconds);
-        boolean any = false;
-        for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
-            any |= !body.isAsleep;
-        }
-        if (!any) {
-            return 0;
-        }
+        traction.begin(cluster, seconds);
         budget.begin(seconds);
         contacts.clear();
-        for (int b = 0; b < bodies.size(); b++) {
-            if (!bodies.get(b).isAsleep) {
+        for (int m = 0; m < cluster.count; m++) {
+            if (!bodies.get(cluster.member[m]).isAsleep) {
                 betweenParts.run();
-                detection.gather(b, false);
+                detection.gather(cluster.member[m], false);
             }
         }
         solve(seconds, surfaces);
-        double share = mayEnd ? impact.first(seconds) : SpatialTimeOfImpact.NEVER;
+        double share = mayEnd ? impact.first(cluster, seconds) : SpatialTimeOfImpact.NEVER;
         contacts.keep(share);
         tell();
         double made = share * seconds;
         carriage.act(-1, made);
         carriage.begin(share);
         sort();
-        for (int k = 0; k < bodies.size(); k++) {
+        for (int k = 0; k < cluster.count; k++) {
             if (!bodies.get(order[k]).isAsleep) {
                 betweenParts.run();
                 carriage.carry(order[k], made, surfaces);
@@ -258,23 +271,19 @@ public final class SpatialStepper {
 
     private void solve(double seconds, ContactSurfaces surfaces) {
         impulses.solve(contacts, -1, false, seconds, TurningSweep.GAP, surfaces);
-        for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
-            carriage.fall(body, seconds);
+        for (int m = 0; m < cluster.count; m++) {
+            carriage.fall(bodies.get(cluster.member[m]), seconds);
         }
         impulses.solve(contacts, -1, true, seconds, TurningSweep.GAP, surfaces);
     }
 
-    /** The bodies, the lowest first. */
+    /** The bodies of a cluster, the lowest first. */
     private void sort() {
-        if (order.length != bodies.size()) {
+        if (order.length < cluster.count) {
             order = new int[bodies.size()];
-            for (int k = 0; k < order.length; k++) {
-                order[k] = k;
-            }
         }
-        for (int k = 1; k < order.length; k++) {
-            int b = order[k];
+        for (int k = 0; k < cluster.count; k++) {
+            int b = cluster.member[k];
             double height = bodies.get(b).height(gravity);
             int to = k;
             while (to > 0 && bodies.get(order[to - 1]).height(gravity) > height) {

@@ -46,15 +46,16 @@ final class SpatialTimeOfImpact {
     }
 
     /** The least share of a slice after which two bodies meet, each going on from its velocity at the start to that at the end. */
-    double first(double seconds) {
+    double first(Clusters cluster, double seconds) {
         double first = NEVER;
-        for (int a = 0; a < bodies.size(); a++) {
-            RigidBody one = bodies.get(a);
+        for (int k = 0; k < cluster.count; k++) {
+            RigidBody one = bodies.get(cluster.member[k]);
             if (!one.isAsleep) {
                 motion(one, seconds, wayA, turnA);
-                for (int b = a + 1; b < bodies.size(); b++) {
-                    if (!bodies.get(b).isAsleep) {
-                        first = Math.min(first, impact(one, bodies.get(b), seconds, first));
+                for (int m = k + 1; m < cluster.count; m++) {
+                    RigidBody other = bodies.get(cluster.member[m]);
+                    if (!other.isAsleep) {
+                        first = Math.min(first, impact(one, other, seconds, first));
                     }
                 }
             }

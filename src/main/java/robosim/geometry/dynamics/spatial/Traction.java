@@ -18,6 +18,7 @@ final class Traction {
 
     private final List<RigidBody> bodies;
     private final double[] gravity;
+    private final Clusters cluster;
     private final Driver.Aim aim = new Driver.Aim();
     private final List<Wheels> all = new ArrayList<>();
     private Driver driver = Driver.NONE;
@@ -27,9 +28,10 @@ final class Traction {
 
     private int count;
 
-    Traction(List<RigidBody> bodies, double[] gravity) {
+    Traction(List<RigidBody> bodies, double[] gravity, Clusters cluster) {
         this.bodies = bodies;
         this.gravity = gravity;
+        this.cluster = cluster;
     }
 
     void driveBy(Driver by) {
@@ -39,13 +41,24 @@ final class Traction {
     /** Notes which bodies have a drive, and wakes those that theirs moves. */
     void begin(double seconds) {
         for (int b = 0; b < bodies.size(); b++) {
-            RigidBody body = bodies.get(b);
-            aim.set(0, 0, 0);
-            body.isDriven = driver.next(b, aim, seconds);
-            body.isDriving = body.isDriven && !aim.isStill();
-            if (body.isDriving && body.isAsleep) {
-                body.wake();
-            }
+            begin(b, seconds);
+        }
+    }
+
+    /** The same for a cluster. */
+    void begin(Clusters of, double seconds) {
+        for (int m = 0; m < of.count; m++) {
+            begin(of.member[m], seconds);
+        }
+    }
+
+    private void begin(int b, double seconds) {
+        RigidBody body = bodies.get(b);
+        aim.set(0, 0, 0);
+        body.isDriven = driver.next(b, aim, seconds);
+        body.isDriving = body.isDriven && !aim.isStill();
+        if (body.isDriving && body.isAsleep) {
+            body.wake();
         }
     }
 
@@ -73,10 +86,12 @@ final class Traction {
         if (wheelsOf.length < bodies.size()) {
             wheelsOf = new int[bodies.size()];
         }
-        Arrays.fill(wheelsOf, -1);
+        for (int m = 0; m < cluster.count; m++) {
+            wheelsOf[cluster.member[m]] = -1;
+        }
         for (int k = 0; k < contacts.count; k++) {
             int b = wheel[k];
-            if (b >= 0 && !isOff[k] && (only < 0 || b == only)) {
+            if (b >= 0 && !isOff[k] && (only < 0 || b == only) && cluster.has(b)) {
                 if (wheelsOf[b] < 0) {
                     claim(b);
                 }
@@ -87,7 +102,8 @@ final class Traction {
                 }
             }
         }
-        for (int b = 0; count > 0 && b < bodies.size(); b++) {
+        for (int m = 0; count > 0 && m < cluster.count; m++) {
+            int b = cluster.member[m];
             if (wheelsOf[b] >= 0) {
                 RigidBody body = bodies.get(b);
                 body.isOnWheels = true;
@@ -127,7 +143,7 @@ final class Traction {
             all.get(w).grip = 0;
         }
         for (int k = 0; count > 0 && k < contacts.count; k++) {
-            if (wheel[k] >= 0 && wheelsOf[wheel[k]] >= 0) {
+            if (wheel[k] >= 0 && cluster.has(wheel[k]) && wheelsOf[wheel[k]] >= 0) {
                 Wheels wheels = all.get(wheelsOf[wheel[k]]);
                 wheels.grip += (wheels.isSliding ? slides[k] : still[k]) * pushed[k];
             }
@@ -141,7 +157,8 @@ final class Traction {
 
     /** Notes the work that drives have done. */
     void finish() {
-        for (int b = 0; count > 0 && b < bodies.size(); b++) {
+        for (int m = 0; count > 0 && m < cluster.count; m++) {
+            int b = cluster.member[m];
             if (wheelsOf[b] >= 0) {
                 RigidBody body = bodies.get(b);
                 body.lastWork = Math.max(0, all.get(wheelsOf[b]).work());
