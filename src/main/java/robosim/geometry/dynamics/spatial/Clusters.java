@@ -5,7 +5,7 @@ import java.util.List;
 
 /**
  * The bodies that can touch each other in a slice of time, directly or through others: what one cluster does in it concerns no
- * other. Balls around the bodies, larger by twice their ways, are swept along X (sort and sweep; Baraff 1992).
+ * other. Balls around the bodies, larger by twice their ways, are swept along X (sort and sweep).
  */
 final class Clusters {
     /** How many bodies the present cluster has, and their indices in ascending order. */
