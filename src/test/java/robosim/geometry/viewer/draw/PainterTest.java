@@ -168,12 +168,6 @@ class PainterTest {
         assertThat(image.getRGB(MIDDLE_X, MIDDLE_Y - (int) (1.125 * SCALE)) & 0xffffff)
                 .isEqualTo(Palette.of(GeometryObject.Kind.GRID).light());
         assertThat(image.getRGB(MIDDLE_X + 10, MIDDLE_Y + 20) & 0xffffff).isEqualTo(FLOOR);
-        assertThat(Card.of(map, "m").lines())
-                .containsExactly(
-                        "grid, cannot move",
-                        "at x 0, z 0, y 0 m",
-                        "heading 0 degrees",
-                        "40 by 10 cells of 0.25, height 1 m");
         // Its name would stand on free floor.
         assertThat(withClass(document, "names").get(0).getTextContent()).doesNotContain("map");
     }
