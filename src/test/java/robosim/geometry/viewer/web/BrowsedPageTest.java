@@ -124,27 +124,32 @@ class BrowsedPageTest {
         assertNear(place(), -5, 0);
         talk.drives(0.5, null).drives(30, null);
         play();
-        run("until(() => page.window.robosim.at === 2)");
+        run("until(() => page.window.robosim.view.frame === 2)");
         assertNear(place(), -4.5, 0);
         assertThat(run("story(page.window.robosim.data, 2)")).isEqualTo("1 refused: drum by wall");
         run("until(() => page.window.robosim.view.red.length === 1)");
         talk.looks(null);
         play();
-        run("until(() => page.window.robosim.at === 3)");
+        run("until(() => page.window.robosim.view.frame === 3)");
         assertThat(run("page.window.robosim.data.sensors.length")).isEqualTo(1.0);
         // Back in its past, while the session goes on; and forward again.
         run("page.key('Home')");
         talk.drives(0.25, null);
         play();
-        run("until(() => page.window.robosim.data.frames === 4)"); // it looked and moved, which is one step
+        run("until(() => page.window.robosim.data.chapters[0].tracks[0].frames.length === 3)");
+        run("until(() => page.window.robosim.view.frame === 0)");
+        assertThat(run("page.window.robosim.data.frames"))
+                .as("it looked and moved, which is one step")
+                .isEqualTo(4.0);
         assertNear(place(), -5, 0);
         run("page.key('End')");
-        run("until(() => page.window.robosim.at === 3)");
+        run("until(() => page.window.robosim.view.frame === 3)");
         assertNear(place(), -4.25, 0);
         // Another world.
         talk.world(Talk.DRUM);
         play();
-        run("until(() => page.window.robosim.view.chapter.statics.length === 0)");
+        run("until(() => page.window.robosim.view.chapter.statics.length === 0 && page.window.robosim.view.frame"
+                + " === 0)");
         assertNear(place(), -5, 0);
         assertThat(run("page.element('problem').textContent")).isEqualTo("");
         assertThat(errors()).isEmpty();
@@ -175,8 +180,8 @@ class BrowsedPageTest {
         // From a place to 5 units beside it.
         run("page.window.robosim.view.rulers = []");
         String at =
-                "(x => { const p = page.window.robosim, d = p.data, q = project(p.matrix, [x / d.unit, p.view.floorAt, 0]);"
-                        + " p.measureAt((q[0] + 1) * 200, (1 - q[1]) * 150); })";
+                "(x => { const p = page.window.robosim, d = p.data, q = project(p.matrix, [x / d.unit, p.view.floorAt,"
+                        + " 0]); p.measureAt((q[0] + 1) * 200, (1 - q[1]) * 150); })";
         run(at + "(-3)");
         run(at + "(2)");
         Object measured = run("(p => Math.hypot(...sub(...p.view.rulers[0])) * p.data.unit)(page.window.robosim)");
@@ -190,9 +195,9 @@ class BrowsedPageTest {
         run("until(() => page.window.robosim)");
         run("page.key('2'), page.window.robosim.settled = null, page.window.robosim.draw(), 0");
         // Where the drum is on the canvas, and 3 units to its right.
-        String pixel =
-                "(x => { const p = page.window.robosim, d = p.data, at = project(p.matrix, [(x - d.origin[0]) / d.unit, p.view.poses[0][1], -d.origin[2] / d.unit]);"
-                        + " return { offsetX: (at[0] + 1) * 400, offsetY: (1 - at[1]) * 300, clientX: (at[0] + 1) * 400, clientY: (1 - at[1]) * 300 }; })";
+        String pixel = "(x => { const p = page.window.robosim, d = p.data, at = project(p.matrix, [(x - d.origin[0]) /"
+                + " d.unit, p.view.poses[0][1], -d.origin[2] / d.unit]); return { offsetX: (at[0] + 1) * 400,"
+                + " offsetY: (1 - at[1]) * 300, clientX: (at[0] + 1) * 400, clientY: (1 - at[1]) * 300 }; })";
         run("page.element('canvas').fire('pointerdown', " + pixel + "(-5))");
         run("page.element('canvas').fire('pointermove', " + pixel + "(-2))");
         run("page.element('canvas').fire('pointerup', " + pixel + "(-2))");
@@ -208,12 +213,12 @@ class BrowsedPageTest {
     void aPageKeepsNoMoreThanItsShare() throws Exception {
         play();
         run("until(() => page.window.robosim)");
-        assertThat(run(
-                        "(p => { for (let k = 1; k <= 60000; k++) grow(p.data, { frame: k, placed: [[0, -5 + k * 1e-5, 0, 0, 0, 0, 0, 1]],"
-                                + " heard: k % 2 ? [[0, [[0, 0.1, 6, 0, 0, 0]], [k % 5]]] : [], refused: k % 10 ? [] : [[0, 0, 3]], words: [] });"
-                                + " const c = p.data.chapters[0]; return [c.tracks[0].frames.length < 26000, c.scans[0].distances.length < 13000,"
-                                + " c.scans[0].starts[c.scans[0].starts.length - 1] === c.scans[0].distances.length - 1, c.bumps.length < 2600,"
-                                + " p.data.sensors.length]; })(page.window.robosim)"))
+        assertThat(run("(p => { for (let k = 1; k <= 60000; k++) grow(p.data, { frame: k, placed: [[0, -5 + k * 1e-5,"
+                        + " 0, 0, 0, 0, 0, 1]], heard: k % 2 ? [[0, [[0, 0.1, 6, 0, 0, 0]], [k % 5]]] : [],"
+                        + " refused: k % 10 ? [] : [[0, 0, 3]], words: [] }); const c = p.data.chapters[0]; return"
+                        + " [c.tracks[0].frames.length < 26000, c.scans[0].distances.length < 13000,"
+                        + " c.scans[0].starts[c.scans[0].starts.length - 1] === c.scans[0].distances.length - 1,"
+                        + " c.bumps.length < 2600, p.data.sensors.length]; })(page.window.robosim)"))
                 .isEqualTo(List.of(true, true, true, true, 1.0));
         run("page.key('Home')");
         run("page.window.robosim.draw(), 0");
