@@ -33,7 +33,7 @@ final class TurningSweep {
     /** Most radians of a turn that are decided at once. */
     private static final double TURN = 0.25;
 
-    /** RotationVectors by less than so many metres at the rim is not made. */
+    /** Turning by less than so many metres at the rim is not made. */
     private static final double NOTHING = 1e-13;
 
     private static final int MOST_TRIES = 96;
