@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import robosim.geometry.check.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Quaternion;
@@ -96,7 +97,7 @@ public final class PageEvents {
     }
 
     private static double radians(double degrees) {
-        return rounded(Math.toRadians(degrees % 360));
+        return rounded(Degrees.toRadians(degrees % 360));
     }
 
     private static double rounded(double value) {

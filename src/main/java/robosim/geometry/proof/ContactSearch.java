@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.proof.ProofChecker.Flaw;
+import robosim.geometry.proof.Proof.Flaw;
 import robosim.geometry.proof.Witness.Contact;
 import robosim.geometry.proof.Witness.Form;
 

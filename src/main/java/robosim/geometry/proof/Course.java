@@ -72,7 +72,7 @@ final class Course {
             return Rows.most(row, n) + Math.max(rate * from, rate * to);
         }
         double length = Rows.length(axis);
-        double[] turned = {2 * Math.atan(from * length), 2 * Math.atan(to * length)};
+        double[] turned = {2 * StrictMath.atan(from * length), 2 * StrictMath.atan(to * length)};
         double most = Double.NEGATIVE_INFINITY;
         for (double[] corner : Rows.corners(row)) {
             double[] x = {corner[0] - pivot[0], corner[1] - pivot[1], corner[2] - pivot[2]};
@@ -94,7 +94,7 @@ final class Course {
             return Rows.product(up, n);
         }
         double length = Rows.length(axis);
-        double[] turned = {2 * Math.atan(from * length), 2 * Math.atan(to * length)};
+        double[] turned = {2 * StrictMath.atan(from * length), 2 * StrictMath.atan(to * length)};
         double high = sinusoid(up, n, turned, length, 1);
         double low = -sinusoid(up, n, turned, length, -1);
         double spare = 0x1p-45;
@@ -107,15 +107,15 @@ final class Course {
         double fixed = sign * share * Rows.product(n, axis);
         double cos = sign * Rows.product(n, x) - fixed;
         double sin = sign * Rows.product(n, Rows.cross(axis, x)) / length;
-        double peak = Math.atan2(sin, cos);
+        double peak = StrictMath.atan2(sin, cos);
         peak = peak < 0 ? peak + 2 * Math.PI : peak;
         if (peak >= turned[0] && peak <= turned[1]) {
-            return fixed + Math.hypot(sin, cos);
+            return fixed + StrictMath.hypot(sin, cos);
         }
         return fixed
                 + Math.max(
-                        cos * Math.cos(turned[0]) + sin * Math.sin(turned[0]),
-                        cos * Math.cos(turned[1]) + sin * Math.sin(turned[1]));
+                        cos * StrictMath.cos(turned[0]) + sin * StrictMath.sin(turned[0]),
+                        cos * StrictMath.cos(turned[1]) + sin * StrictMath.sin(turned[1]));
     }
 
     /** Writes a point with the largest product with a normal of length 1, of what does not turn. */

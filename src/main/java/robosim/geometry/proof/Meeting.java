@@ -1,6 +1,6 @@
 package robosim.geometry.proof;
 
-import robosim.geometry.proof.ProofChecker.Flaw;
+import robosim.geometry.proof.Proof.Flaw;
 
 /** Whether a witness shows that two pieces have a point in common. Exact. */
 final class Meeting {

@@ -7,7 +7,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.proof.ProofChecker.Flaw;
+import robosim.geometry.proof.Proof.Flaw;
 
 /** Finds rays that show whether points are inside solid meshes. */
 final class Outsides {

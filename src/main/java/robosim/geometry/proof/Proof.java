@@ -9,4 +9,19 @@ public record Proof(Claim claim, Witness witness) {
         Checks.present("claim", claim);
         Checks.present("witness", witness);
     }
+
+    /** Where a proof fails. */
+    static final class Flaw extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        Flaw(String reason) {
+            super(reason, null, false, false);
+        }
+
+        static void unless(boolean holds, String reason) {
+            if (!holds) {
+                throw new Flaw(reason);
+            }
+        }
+    }
 }

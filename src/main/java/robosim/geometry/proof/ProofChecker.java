@@ -5,6 +5,7 @@ import java.util.Set;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.proof.Proof.Flaw;
 
 /**
  * Decides whether proofs about a scene hold, in exact arithmetic and without any code of the engine. It takes every piece of the scene
@@ -30,21 +31,6 @@ public final class ProofChecker {
      * @param reason  where it does not; empty if it does
      */
     public record Result(boolean isValid, String reason) {}
-
-    /** Where a proof fails. */
-    static final class Flaw extends RuntimeException {
-        private static final long serialVersionUID = 1;
-
-        Flaw(String reason) {
-            super(reason, null, false, false);
-        }
-
-        static void unless(boolean holds, String reason) {
-            if (!holds) {
-                throw new Flaw(reason);
-            }
-        }
-    }
 
     /** A checker of proofs about a scene. */
     public ProofChecker(Scene scene) {

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
-import robosim.geometry.proof.ProofChecker.Flaw;
+import robosim.geometry.proof.Proof.Flaw;
 
 /** Whether a plane is proved to keep each piece of a path from each piece of a scene, at every moment of it. */
 final class Separation {

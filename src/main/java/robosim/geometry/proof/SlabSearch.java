@@ -163,8 +163,8 @@ final class SlabSearch {
             double before = best.gap;
             for (int side = 0; side < (isFlat ? 2 : 6); side++) {
                 double turn = isFlat ? side * Math.PI : angle + side * Math.PI / 3;
-                double cos = step * Math.cos(turn);
-                double sin = isFlat ? 0 : step * Math.sin(turn);
+                double cos = step * StrictMath.cos(turn);
+                double sin = isFlat ? 0 : step * StrictMath.sin(turn);
                 double[] next = {
                     n[0] + cos * u[0] + sin * v[0], n[1] + cos * u[1] + sin * v[1], n[2] + cos * u[2] + sin * v[2]
                 };

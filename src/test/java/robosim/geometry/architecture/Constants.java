@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 
 /**
  * The values of constants, from the text of their initializers: numbers, sums, products, quotients, parentheses, names of
- * other constants, and the argument of {@code Filter.bound}. The source is read, as most constants are private and a
+ * other constants, and the argument of {@code FilterBound.bound}. The source is read, as most constants are private and a
  * system property changes those that pass through the filter.
  */
 final class Constants {
@@ -103,7 +103,7 @@ final class Constants {
         }
         at = name.end();
         String what = name.group();
-        if (what.equals("Filter.bound") && next('(')) {
+        if (what.equals("FilterBound.bound") && next('(')) {
             double value = sum();
             return next(')') ? value : Double.NaN;
         }

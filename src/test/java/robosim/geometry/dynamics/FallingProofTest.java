@@ -223,6 +223,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("87c6f74b24747a56");
+        assertThat(Long.toHexString(digest)).isEqualTo("d59f48088b89e716");
     }
 }

@@ -227,7 +227,8 @@ public final class ConeCandidates {
     boolean has(int number, double reach) {
         while (number >= count) {
             double from = complete();
-            if (!(from <= reach) || count == MOST_FOUND || isClosed) {
+            boolean isEnd = from == Double.POSITIVE_INFINITY; // a reach may be infinite, too
+            if (isEnd || !(from <= reach) || count == MOST_FOUND || isClosed) {
                 return false;
             }
             take(from);

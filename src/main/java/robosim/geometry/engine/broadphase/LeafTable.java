@@ -75,8 +75,8 @@ public final class LeafTable {
     /** How to place a moveable object; null until it is first needed. */
     private @Nullable ObjectLeaves[] forms = new ObjectLeaves[0];
 
-    /** The forms of objects that need not be here. */
-    private final Forms made;
+    /** The forms of objects that need not be here; null until one is needed, and at EXACT. */
+    private @Nullable Forms made;
 
     /** The forms at EXACT by what they are of: all that are alike have one. Forgotten when a moveable object goes. */
     private final Map<Shape, ObjectLeaves> shared = new HashMap<>();
@@ -141,7 +141,6 @@ public final class LeafTable {
         spans = new LeafRanges();
         shapes = new byte[ArrayGrowth.FIRST];
         this.accuracy = accuracy;
-        made = new Forms(accuracy);
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
         cursor = tree.cursor();
@@ -153,7 +152,6 @@ public final class LeafTable {
     private LeafTable(LeafTable of) {
         objects = of.objects;
         accuracy = of.accuracy;
-        made = new Forms(accuracy);
         dimension = of.dimension;
         extent = of.extent;
         isFlat = of.isFlat;
@@ -190,7 +188,16 @@ public final class LeafTable {
             LocalLeaves.placed(object, column);
             return;
         }
-        made.place(dimension, object, column);
+        made().place(dimension, object, column);
+    }
+
+    private Forms made() {
+        Forms known = made;
+        if (known == null) {
+            known = new Forms(accuracy);
+            made = known;
+        }
+        return known;
     }
 
     /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
@@ -466,7 +473,7 @@ public final class LeafTable {
             GeometryObject object = objects.value(id);
             form = accuracy == Accuracy.EXACT
                     ? shared.computeIfAbsent(Shape.of(object), shape -> new ObjectLeaves(object, accuracy))
-                    : made.of(object);
+                    : made().of(object);
             forms[id] = form;
         }
         return form;
