@@ -289,8 +289,8 @@ def serve(world: Optional[Path] = None, *, connections: int = 256, java: Optiona
           timeout: float = 60.0, options: Sequence[str] = (), log: Optional[Path] = None) -> Server:
     """Starts a geometry module for this program alone, for many worlds at a time:
 
-        with robosim.serve("rooms.xml") as server:
-            first, second = server.connect(), server.connect()
+        with robosim.serve("rooms.xml") as server, server.connect() as first, server.connect() as second:
+            ...
 
     Each connection begins with a copy of the world, if a file is given, and may send another by `init` or `load`. `connections`
     is the most at a time; the other arguments are those of `launch`, with the options of `robosim-geometry serve`."""
