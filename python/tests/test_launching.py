@@ -77,6 +77,7 @@ class Launching(unittest.TestCase):
 
 PROGRAM = """
 import os, signal, sys, time, robosim
+signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever runs in the background may have inherited that it is ignored
 world = robosim.launch([robosim.cylinder([0, 0, 0], 0.25, 1, name="robot", moveable=True)])
 print(world.pid, flush=True)
 """
