@@ -100,7 +100,7 @@ class _Line:
         while end < 0:
             got = self._sock.recv(1 << 17)
             if not got:
-                raise NotDone("the module ended the conversation; its log tells why")
+                raise NotDone("the module ended the conversation; see its log")
             begun = len(self._rest)
             self._rest += got
             end = self._rest.find(b"\n", begun)
@@ -130,6 +130,7 @@ class _Episodes:
         self._sensors = self._sensed(options)
         self._head = f'{{"type":"step","seconds":{options.seconds!r},"bodies":[],"commands":[{{"objectName":{json.dumps(options.robot)}'
         self._has_right = options.drive in ("omnidirectional", "velocity", "force")
+        self._width = 3 if self._has_right else 2
         self.actions: List[List[float]] = []
         self.start: Json = {}
         self.steps = 0
@@ -238,9 +239,15 @@ class _Episodes:
         self.generator.bit_generator.state = checkpoint.seed_state
         return observation
 
-    def act(self, action: Sequence[float]) -> None:
+    def checked(self, action: Sequence[float]) -> List[float]:
+        """An action as shares from -1 to 1, or why it is none."""
+        numbers = [float(share) for share in action]
+        if len(numbers) != self._width or not all(map(math.isfinite, numbers)):
+            raise ValueError(f"an action must have {self._width} finite numbers from -1 to 1 (got: {numbers})")
+        return [min(1.0, max(-1.0, number)) for number in numbers]
+
+    def act(self, shares: List[float]) -> None:
         """Sends a step; `finish` waits for it."""
-        shares = [min(1.0, max(-1.0, float(share))) for share in action]
         self.actions.append(shares)
         options = self.options
         right = shares[1] * options.max_speed if self._has_right else 0.0
@@ -329,7 +336,7 @@ class _Episodes:
         return spaces.Dict({name: kinds[name] for name in options.observe})
 
     def action_space(self) -> spaces.Box:
-        return spaces.Box(-1.0, 1.0, (3 if self._has_right else 2,), numpy.float32)
+        return spaces.Box(-1.0, 1.0, (self._width,), numpy.float32)
 
     def plan(self) -> Any:
         """The world from above, as an image."""
@@ -379,7 +386,7 @@ class RobosimEnv(gymnasium.Env):
         return self._episodes.begin(), {}
 
     def step(self, action: Any) -> Tuple[Any, float, bool, bool, Json]:
-        self._episodes.act(action)
+        self._episodes.act(self._episodes.checked(action))
         return self._episodes.finish()
 
     def checkpoint(self) -> Checkpoint:
@@ -427,9 +434,12 @@ class RobosimVectorEnv(VectorEnv):
         return self._together([each.begin() for each in self._all]), {}
 
     def step(self, actions: Any) -> Tuple[Any, Any, Any, Any, Json]:
-        for each, over, action in zip(self._all, self._over, actions):
+        if len(actions) != self.num_envs:
+            raise ValueError(f"there must be one action for each of {self.num_envs} environments (got: {len(actions)})")
+        checked = [each.checked(action) for each, action in zip(self._all, actions)]  # before any is sent
+        for each, over, shares in zip(self._all, self._over, checked):
             if not over:
-                each.act(action)
+                each.act(shares)
         rewards = numpy.zeros(self.num_envs)
         terminated = numpy.zeros(self.num_envs, bool)
         truncated = numpy.zeros(self.num_envs, bool)

@@ -155,6 +155,25 @@ class Environments(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r'a moveable object "nobody" \(got: robot\)'):
             self.env(robot="nobody").reset(seed=1)
 
+    def test_a_wrong_action_is_refused_and_changes_nothing(self):
+        env = self.env()
+        env.reset(seed=1)
+        for wrong in ([0.5], [0.5, 0.1, 0.2], [math.nan, 0], [0, math.inf]):
+            with self.assertRaisesRegex(ValueError, "an action must have 2 finite numbers"):
+                env.step(wrong)
+        same = self.env()
+        same.reset(seed=1)
+        self.assert_same(env.step([0.5, 0.1])[0], same.step([0.5, 0.1])[0])
+        many = self.vector("reach", 2)
+        many.reset(seed=1)
+        with self.assertRaisesRegex(ValueError, r"one action for each of 2 environments \(got: 3\)"):
+            many.step(numpy.zeros((3, 2)))
+        with self.assertRaisesRegex(ValueError, "an action must have 2 finite numbers"):
+            many.step(numpy.array([[0.5, 0.1], [math.nan, 0]]))
+        again = self.vector("reach", 2)
+        again.reset(seed=1)
+        self.assert_same(many.step(numpy.full((2, 2), 0.5))[0], again.step(numpy.full((2, 2), 0.5))[0])
+
     def test_registered_by_name(self):
         env = gymnasium.make("robosim/Reach-v0", horizon=3)
         env.reset(seed=1)

@@ -23,7 +23,7 @@ import robosim.geometry.engine.objects.IgnoredObjects;
  * Geometry#getProximity} returns there, and that from the world's bounds, are at least the margin.
  *
  * @param margin  world units; at least 0. With 0, touching is colliding
- * @param ignored names of objects that do not count; each must be in the world that is asked
+ * @param ignored names of objects that do not count; each must be in the world of the query
  */
 public record Avoidance(double margin, Set<String> ignored) {
     /** Everything counts, without a margin. */

@@ -161,7 +161,7 @@ public final class WorldProver {
         return attempts;
     }
 
-    /** A blocked turn is proved free up to a little before what it comes to, where it all but touches. */
+    /** A blocked turn is proved free up to slightly before its contact. */
     private static double within(double share) {
         return share < 1 ? share * (1 - 0x1p-26) : 1;
     }

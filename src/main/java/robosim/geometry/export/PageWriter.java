@@ -135,9 +135,9 @@ public final class PageWriter {
     }
 
     /**
-     * A page without data, which asks its server for it and follows what happens then.
+     * A page without data, which loads it from its server and follows the changes.
      *
-     * @param settings what {@code live.js} is told about the server, as JSON
+     * @param settings what {@code live.js} needs to know of the server, as JSON
      */
     public static String live(String title, String settings) throws IOException {
         return page(title, "", LIVE_SCRIPTS, settings)

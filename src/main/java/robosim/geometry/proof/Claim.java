@@ -33,7 +33,7 @@ public sealed interface Claim {
     /** The distance between the body and an object, or the nearest of all, is in {@code [low, high]}. */
     record Distance(GeometryObject body, int self, int other, double low, double high) implements Claim {}
 
-    /** The body can be moved by {@code free} times a displacement in a straight line: nothing is touched on the way, and the border not crossed. */
+    /** The body can be moved by {@code free} times a displacement in a straight line: nothing is touched along it, and the border is not crossed. */
     record Translation(GeometryObject body, int self, Point displacement, double free, List<Integer> touched)
             implements Claim {
         /** Copies the list. */
@@ -54,7 +54,7 @@ public sealed interface Claim {
 
     /**
      * The body can be turned counter-clockwise about an axis through its centre, by any angle whose half has a tangent of at most
-     * {@code tangent} times the axis' length: nothing is touched on the way, and the border not crossed.
+     * {@code tangent} times the axis' length: nothing is touched meanwhile, and the border is not crossed.
      */
     record Turn(GeometryObject body, int self, Point axis, double tangent, List<Integer> touched) implements Claim {
         /** Copies the list. */

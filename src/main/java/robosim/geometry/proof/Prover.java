@@ -377,7 +377,7 @@ public final class Prover {
         }
 
         private void bounds(int i, double[] swept, int at) {
-            // The checker knows no better of a disc that turns, unless it is told.
+            // Without a direction in the witness, the checker has no better bound for a turning disc.
             double disc = course.isTurn() && course.rows[i].length == 17 ? course.rows[i][15] : 0;
             double pad = Rows.ROUNDING * course.size(i) + disc;
             double[] n = new double[3];

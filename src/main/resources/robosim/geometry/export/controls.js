@@ -34,7 +34,7 @@ class Camera {
     return { eye: add(this.target, times(c, this.far)), target: this.target, up: [0, 1, 0] };
   }
 
-  /** How far above the plan the eye is: so far that it is as good as parallel. */
+  /** How far above the plan the eye is: so far that the view is almost parallel. */
   height() { return 10 * (this.view.reach + this.view.data.space[1]); }
 
   matrix({ eye, target, up }, aspect) {

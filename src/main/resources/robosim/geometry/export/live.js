@@ -1,4 +1,4 @@
-// Follows what happens after the page was loaded, and asks the server for what it permits.
+// Follows what happens after the page was loaded, and sends the server the commands that it permits.
 
 /** The frames that are kept; older ones are dropped, so that a page may stay open for days. */
 const KEPT = 20000;

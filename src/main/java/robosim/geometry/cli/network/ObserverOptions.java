@@ -167,7 +167,7 @@ public final class ObserverOptions {
         }
     }
 
-    /** Starts to listen if watching or viewing was asked for. */
+    /** Starts to listen if watching or viewing was requested. */
     Watch watched(NetOptions options) {
         Arguments.refuse(isControlled && view == null, "--control is for a page; add --view PORT", "none");
         if (port == null && view == null) {
@@ -181,7 +181,7 @@ public final class ObserverOptions {
         PrintWriter out = spec.commandLine().getOut();
         if (view != null) {
             open.addAll(viewed(view, watching, film, control));
-            // Before the others, which are told what it asks for.
+            // Before the others, which then see the requests that the page makes.
             listeners = control == null ? listeners : both(control, listeners);
         }
         open.add(watching);

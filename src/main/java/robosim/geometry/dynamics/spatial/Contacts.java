@@ -37,7 +37,7 @@ final class Contacts {
         count = 0;
     }
 
-    /** Adds one of others. */
+    /** Adds a contact from other columns. */
     void add(Contacts of, int k) {
         int n = 3 * k;
         double[] p = of.point;

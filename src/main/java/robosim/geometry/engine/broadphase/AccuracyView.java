@@ -23,7 +23,7 @@ public final class AccuracyView {
     @Nullable
     LeafTable shared;
 
-    /** The objects that were moved since this view was asked last, each once, and a bit for each. */
+    /** The objects that were moved since the last query of this view, each once, and a bit for each. */
     private int[] late = new int[0];
 
     private long[] isLate = new long[0];
@@ -54,7 +54,7 @@ public final class AccuracyView {
         return other != null && ObjectTable.isShared(id) ? other : own;
     }
 
-    /** Notes that an object was moved: it is put where it stands before the view is asked next. */
+    /** Notes that an object was moved: the next query of the view places it first. */
     void noteMoved(int id) {
         int word = id >> 6;
         if (word >= isLate.length) {

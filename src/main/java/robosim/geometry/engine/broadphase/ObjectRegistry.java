@@ -370,7 +370,7 @@ public final class ObjectRegistry {
         noteMoved(id);
     }
 
-    /** Other views than the world's own follow when they are asked. */
+    /** Views other than the world's own are updated by their next query. */
     private void noteMoved(int id) {
         for (int k = 1; k < views.length; k++) {
             views[k].noteMoved(id);

@@ -42,7 +42,7 @@ final class TranslationFastPath {
     /** More than a sweep may stop early, as a share of the coordinates. */
     private static final double EARLY = 0x1p-19;
 
-    /** More than rounding changes a share of the way. */
+    /** More than rounding changes a fraction of the displacement. */
     private static final double SHARE = 0x1p-40;
 
     /** More than the least float. */
@@ -69,7 +69,7 @@ final class TranslationFastPath {
     private double dz;
     private boolean hasProbe;
 
-    /** The bounds of the way of each leaf, where there are several. */
+    /** The bounds of the path of each leaf, if there are several. */
     private final LeafBoxes swept = new LeafBoxes();
 
     private boolean hasSwept;
@@ -86,7 +86,7 @@ final class TranslationFastPath {
 
     private boolean ownIsDisc;
 
-    /** Whether enclosures are asked about: then the objects in them must pass too. */
+    /** Whether the query is about enclosures: then the objects in them must pass too. */
     private boolean isCoarse;
 
     /** The enclosure at the start, wide enough to hold whatever the object itself may be stopped before. */
@@ -235,7 +235,7 @@ final class TranslationFastPath {
     /**
      * What doubles can tell of two balls.
      *
-     * @param more by how much one is wider; if it is above 0, balls that overlap are not told to be past each other
+     * @param more by how much one is wider; if it is above 0, overlapping balls do not count as past each other
      */
     private int betweenBalls(LeafTable table, int other, double more) {
         int leaf = table.first(other);
@@ -458,7 +458,7 @@ final class TranslationFastPath {
         return true;
     }
 
-    /** Bounds the way of each leaf, where there are several. */
+    /** Bounds the path of each leaf, if there are several. */
     private void enclose(int first, int count) {
         if (count > 1 && !hasSwept) {
             hasSwept = true;
@@ -470,7 +470,7 @@ final class TranslationFastPath {
         }
     }
 
-    /** Finds the leaves that may meet one of another object on the way or at its end. */
+    /** Finds the leaves that may touch one of another object along the path or at its end. */
     private int near(LeafColumn theirs, int leaf) {
         if (!hasSwept) {
             return 1;

@@ -27,7 +27,7 @@ public final class LeafBoxes {
     private int[] found = {};
     private int count;
 
-    /** What is asked about: minimum x, y and z, then maximum. A question may change it. */
+    /** The box of the query: minimum x, y and z, then maximum. A query may change it. */
     public final double[] box = new double[6];
 
     private double square;

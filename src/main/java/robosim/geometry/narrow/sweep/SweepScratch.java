@@ -15,7 +15,7 @@ public final class SweepScratch {
     public final OverlapScratch overlap;
     public final LeafScratch leaf;
 
-    /** What a straight sweep of two polytopes is asked for. */
+    /** What a straight sweep of two polytopes must return. */
     public enum Need {
         /** When they meet. */
         TIME,
