@@ -65,9 +65,12 @@ class Camera {
   }
 }
 
+/** Milliseconds between frames above which moving pictures get fewer pixels; the least share of a side's; how long nothing moves before all are drawn. */
+const SLOW = 40, ROUGHEST = 0.5, STILL = 300;
+
 class Player {
   constructor(data, view) {
-    Object.assign(this, { data, view, at: 0, playing: false, speed: 4, dirty: true, names: false, last: 0, live: null, measuring: false });
+    Object.assign(this, { data, view, at: 0, playing: false, speed: 4, dirty: true, names: false, last: 0, live: null, measuring: false, sharp: 1, pace: 0, drawn: 0, rough: false });
     this.cameras = [new Camera(view)];
     this.camera = this.cameras[0];
     this.layout = 0;
@@ -124,12 +127,23 @@ class Player {
       if (this.at >= this.data.frames - 1) { this.at = this.data.frames - 1; this.playing = false; }
       this.dirty = true;
     }
-    if (this.dirty) { this.dirty = false; this.draw(past); }
+    if (this.dirty) {
+      this.pace += 0.2 * ((this.drawn === this.before ? now - this.drawn : 16) - this.pace);
+      if (this.pace > SLOW && this.sharp > ROUGHEST) { this.sharp = Math.max(ROUGHEST, 0.8 * this.sharp); this.pace = 16; }
+      this.dirty = false;
+      this.rough = this.sharp < 1;
+      this.draw(past);
+      this.drawn = now;
+    } else if (this.rough && now - this.drawn > STILL) {
+      this.rough = false;
+      this.draw();
+    }
+    this.before = now;
   }
 
   /** Draws the present moment; the camera glides to where it is wanted. */
   draw(past) {
-    const { view, canvas = view.canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const { view, canvas = view.canvas } = this, ratio = Math.min(window.devicePixelRatio || 1, 2) * (this.rough ? this.sharp : 1);
     const w = Math.max(1, Math.round(canvas.clientWidth * ratio)), h = Math.max(1, Math.round(canvas.clientHeight * ratio));
     if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
     view.hidden = -1;

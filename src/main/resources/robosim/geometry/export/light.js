@@ -8,7 +8,7 @@ layout(location=0) in vec4 point; layout(location=1) in vec3 normal;
 layout(location=2) in vec3 centre; layout(location=3) in vec4 spin; layout(location=4) in vec4 size; layout(location=5) in vec4 color;
 layout(location=6) in vec4 second; layout(location=7) in vec4 light; layout(location=8) in vec4 inner; layout(location=9) in vec4 extent;
 uniform mat4 camera; uniform mat4 sunCamera; uniform float push;
-out vec3 place; out vec3 facing; out vec4 paint; out vec4 inSun; out vec3 own; out vec3 ownFacing; out vec4 other; out vec4 glow; out vec4 half_; out float mirror;
+out vec3 place; out vec3 facing; flat out vec4 paint; out vec4 inSun; out vec3 own; out vec3 ownFacing; flat out vec4 other; flat out vec4 glow; flat out vec4 half_; flat out float mirror;
 vec3 turn(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 void main() {
   ownFacing = normal / max(size.xyz, vec3(1e-6));
@@ -27,25 +27,37 @@ uniform vec3 eye; uniform vec3 sun; uniform sampler2DShadow shadows; uniform vec
 float lit(vec4 at) {
   vec3 p = at.xyz * 0.5 + 0.5;
   if (p.x < 0.0 || p.y < 0.0 || p.x > 1.0 || p.y > 1.0 || p.z > 1.0) return 1.0;
+#ifdef PLAIN
+  return texture(shadows, p);
+#else
   float sum = 0.0;
   float texel = 1.0 / float(textureSize(shadows, 0).x);
   for (int i = -1; i < 3; i++) for (int j = -1; j < 3; j++) sum += texture(shadows, vec3(p.xy + (vec2(i, j) - 0.5) * texel, p.z));
   return sum / 16.0;
+#endif
 }
+#ifdef PLAIN
+vec3 encoded(vec3 c) { return sqrt(max(c, 0.0)); }
+#else
 vec3 encoded(vec3 c) { c = max(c, 0.0); return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+#endif
 vec3 shaded(vec3 albedo, vec3 n, vec3 at, float light, float gloss) {
   float up = n.y * 0.5 + 0.5;
   vec3 sky = mix(vec3(0.34, 0.31, 0.28), vec3(0.42, 0.46, 0.52), up);
   float near = mix(0.72, 1.0, smoothstep(0.0, reach * 0.02, at.y - floorAt + (n.y > 0.9 ? reach : 0.0)));
   float facing = max(dot(n, sun), 0.0);
+#ifdef PLAIN
+  float shine = 0.0;
+#else
   vec3 half_ = normalize(sun + normalize(eye - at));
   float shine = gloss * pow(max(dot(n, half_), 0.0), 48.0) * step(0.001, facing);
+#endif
   return (albedo * (sky * near + vec3(0.68, 0.64, 0.57) * facing * light) + vec3(shine * light)) * mix(1.0, 0.62, night);
 }`;
 
 /** Patterns: where a point lies in the plane of one, and the mean of its colours over a pixel. */
 const PATTERN = `
-in vec3 own; in vec3 ownFacing; in vec4 other; in vec4 glow; in vec4 half_;
+in vec3 own; in vec3 ownFacing; flat in vec4 other; flat in vec4 glow; flat in vec4 half_;
 uniform float shape;
 vec2 wave(vec2 x) { return 1.0 - 2.0 * abs(fract(x / 2.0) - 0.5); }
 vec3 pattern(vec3 first, vec3 n) {
@@ -75,18 +87,23 @@ vec3 pattern(vec3 first, vec3 n) {
 }`;
 
 const SOLID = HEAD + `
-in vec3 place; in vec3 facing; in vec4 paint; in vec4 inSun; in float mirror; out vec4 pixel;
+in vec3 place; in vec3 facing; flat in vec4 paint; in vec4 inSun; flat in float mirror; out vec4 pixel;
 uniform float alpha; uniform vec3 ground;` + LIGHT + PATTERN + `
 void main() {
   bool flat_ = dot(facing, facing) == 0.0;
-  vec3 n = normalize(flat_ ? cross(dFdx(place), dFdy(place)) : facing), m = flat_ ? cross(dFdx(own), dFdy(own)) : ownFacing;
+  vec3 n = facing, m = ownFacing;
+  if (flat_) { n = cross(dFdx(place), dFdy(place)); m = cross(dFdx(own), dFdy(own)); }
+  n = normalize(n);
   if (dot(n, eye - place) < 0.0) { n = -n; m = flat_ ? -m : m; }
   vec3 c = other.a == 0.0 ? paint.rgb : pattern(paint.rgb, m);
   c = shaded(c, n, place, lit(inSun), half_.w);
-  vec3 away = reflect(normalize(place - eye), n);
-  vec3 sky = mix(vec3(0.6, 0.7, 0.82), vec3(0.2, 0.35, 0.62), max(away.y, 0.0)) * mix(1.0, 0.3, night);
-  c = mix(c, mix(ground * 0.6, sky, smoothstep(-0.05, 0.05, away.y)), mirror) + glow.rgb;
-  c = mix(c, vec3(0.72, 0.02, 0.05) * (0.55 + 0.45 * max(dot(n, sun), 0.0)), paint.a);
+  if (mirror > 0.0) {
+    vec3 away = reflect(normalize(place - eye), n);
+    vec3 sky = mix(vec3(0.6, 0.7, 0.82), vec3(0.2, 0.35, 0.62), max(away.y, 0.0)) * mix(1.0, 0.3, night);
+    c = mix(c, mix(ground * 0.6, sky, smoothstep(-0.05, 0.05, away.y)), mirror);
+  }
+  c += glow.rgb;
+  if (paint.a > 0.0) c = mix(c, vec3(0.72, 0.02, 0.05) * (0.55 + 0.45 * max(dot(n, sun), 0.0)), paint.a);
   pixel = vec4(encoded(c), alpha);
 }`;
 
@@ -145,11 +162,19 @@ const HAZE_POINTS = HEAD + `
 layout(location=0) in vec3 point; layout(location=1) in vec4 color; uniform mat4 camera; out vec4 paint;
 void main() { paint = color; gl_Position = camera * vec4(point, 1.0); }`;
 
-function program(gl, vertex, fragment) {
+/** Whether pictures are drawn by the processor, which is a hundred times slower: then shadows have hard edges, and round things fewer sides. */
+function isDrawnInSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2'), known = gl && gl.getExtension('WEBGL_debug_renderer_info');
+  const name = known ? gl.getParameter(known.UNMASKED_RENDERER_WEBGL) : '';
+  if (gl && gl.getExtension('WEBGL_lose_context')) gl.getExtension('WEBGL_lose_context').loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+function program(gl, vertex, fragment, isPlain) {
   const p = gl.createProgram();
   for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
     const shader = gl.createShader(kind);
-    gl.shaderSource(shader, text);
+    gl.shaderSource(shader, isPlain ? text.replace(HEAD, HEAD + '#define PLAIN\n') : text);
     gl.compileShader(shader);
     if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
     gl.attachShader(p, shader);
@@ -198,6 +223,7 @@ class Batch {
   constructor(gl, key, surface, count) {
     this.gl = gl;
     this.shape = ROUND[key] || 0;
+    this.closed = key === 'box' || key in ROUND;
     this.count = count;
     this.values = new Float32Array(PER_INSTANCE * count);
     this.size = surface.count;
@@ -233,6 +259,7 @@ class Batch {
       gl.bufferSubData(gl.ARRAY_BUFFER, 0, this.values);
       this.changed = false;
     }
+    if (this.closed) gl.enable(gl.CULL_FACE); else gl.disable(gl.CULL_FACE);
     gl.drawElementsInstanced(gl.TRIANGLES, this.size, gl.UNSIGNED_INT, 0, this.count);
   }
 }

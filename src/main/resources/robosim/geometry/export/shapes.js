@@ -21,15 +21,11 @@ function boxSurface() {
 }
 
 function cylinderSurface(sides) {
-  const s = new Surface(), at = k => [Math.cos(2 * Math.PI * k / sides), -Math.sin(2 * Math.PI * k / sides)];
-  for (let k = 0; k < sides; k++) {
-    const [a, b] = [at(k), at(k + 1)], side = (p, y) => s.vertex([p[0], y, p[1]], [p[0], 0, p[1]], 0);
-    s.quad(side(a, -0.5), side(b, -0.5), side(b, 0.5), side(a, 0.5));
-    for (const y of [-0.5, 0.5]) {
-      const cap = p => s.vertex([p[0], y, p[1]], [0, 2 * y, 0], 0), m = cap([0, 0]), p = cap(a), q = cap(b);
-      s.index.push(m, y > 0 ? p : q, y > 0 ? q : p);
-    }
-  }
+  const s = new Surface(), at = k => [Math.cos(2 * Math.PI * k / sides), -Math.sin(2 * Math.PI * k / sides)], all = Array.from({ length: sides }, (_, k) => k);
+  const ring = (y, normal) => all.map(k => { const [x, z] = at(k); return s.vertex([x, y, z], normal || [x, 0, z], 0); });
+  const low = ring(-0.5), high = ring(0.5), base = ring(-0.5, [0, -1, 0]), top = ring(0.5, [0, 1, 0]);
+  for (const k of all) s.quad(low[k], low[(k + 1) % sides], high[(k + 1) % sides], high[k]);
+  for (let k = 1; k + 1 < sides; k++) s.index.push(base[0], base[k + 1], base[k], top[0], top[k], top[k + 1]);
   return s;
 }
 

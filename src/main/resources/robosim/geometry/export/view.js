@@ -1,6 +1,8 @@
 // One world at one moment, drawn.
 
-const TRAIL = 400, FRESH = 8, SIDES = 40;
+const TRAIL = 400, FRESH = 8;
+/** The sides of round things by the number of pieces in a world; where the processor draws, of moveable ones that cast shadows. */
+const SIDES = 40, FEW_SIDES = 20, FEWEST_SIDES = 12, MANY_PIECES = 2000, SOME_PIECES = 500;
 const LOOKS = {
   light: { paper: [0.955, 0.95, 0.935], ground: [0.86, 0.86, 0.85], line: [0.5, 0.51, 0.52], night: 0 },
   dark: { paper: [0.0065, 0.008, 0.0115], ground: [0.05, 0.058, 0.072], line: [0.012, 0.014, 0.018], night: 1 },
@@ -11,12 +13,12 @@ const ARROW = { color: [0.94, 0.94, 0.92], glow: [0, 0, 0], second: [0, 0, 0], s
 
 class View {
   constructor(canvas, data) {
-    const gl = this.gl = canvas.getContext('webgl2', { alpha: false, antialias: true, powerPreference: 'high-performance' });
+    const gl = this.gl = canvas.getContext('webgl2', { alpha: false, antialias: !(this.plain = isDrawnInSoftware()), powerPreference: 'high-performance' });
     if (!gl) throw new Error('This browser or its graphics driver has no WebGL 2.');
     this.canvas = canvas;
-    this.solid = program(gl, INSTANCE, SOLID);
+    this.solid = program(gl, INSTANCE, SOLID, this.plain);
     this.shadow = program(gl, INSTANCE, NOTHING);
-    this.floor = program(gl, FLOOR_POINTS, FLOOR);
+    this.floor = program(gl, FLOOR_POINTS, FLOOR, this.plain);
     this.stroke = program(gl, STROKE_POINTS, PLAIN);
     this.haze = program(gl, HAZE_POINTS, PLAIN);
     const square = gl.createBuffer();
@@ -46,6 +48,8 @@ class View {
     this.surfaces = {};
     this.data = data;
     data.objects.forEach(o => { o.pieces = pieces(o); o.bounds = boundsOf(data, o); o.paint = o.color.map(toLinear); });
+    const count = data.objects.reduce((sum, o) => sum + o.pieces.length, 0);
+    this.sides = !this.plain ? (count > MANY_PIECES ? FEW_SIDES : SIDES) : count > SOME_PIECES ? FEWEST_SIDES : FEW_SIDES;
     this.reach = Math.max(data.space[0], data.space[2], 1e-6);
     this.floorAt = -data.space[1] / 2;
     this.chapter = null;
@@ -61,7 +65,7 @@ class View {
   }
 
   makeShadows() {
-    const gl = this.gl, size = Math.min(4096, gl.getParameter(gl.MAX_TEXTURE_SIZE));
+    const gl = this.gl, size = Math.min(this.plain ? 1024 : 4096, gl.getParameter(gl.MAX_TEXTURE_SIZE));
     this.shadowSize = size;
     this.shadowMap = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.shadowMap);
@@ -80,7 +84,7 @@ class View {
 
   surface(key) {
     if (!this.surfaces[key]) {
-      const made = key === 'box' ? boxSurface() : key === 'cylinder' ? cylinderSurface(SIDES) : key === 'ball' ? ballSurface(SIDES)
+      const made = key === 'box' ? boxSurface() : key === 'cylinder' ? cylinderSurface(this.sides) : key === 'ball' ? ballSurface(this.sides)
         : key === 'arrow' ? arrowSurface() : meshSurface(this.data.meshes[+key.slice(4)]);
       this.surfaces[key] = uploaded(this.gl, made);
     }
@@ -99,7 +103,7 @@ class View {
     });
     for (const key in counts) made[key] = new Batch(this.gl, key, this.surface(key), counts[key]);
     where.forEach(w => w.forEach(({ piece, key, index }) => made[key].dress(index, this.data.looks[piece.look] || ARROW, piece.half, piece.inner)));
-    return { list: Object.values(made), objects: where.map(w => w.map(e => ({ piece: e.piece, batch: made[e.key], index: e.index }))) };
+    return { list: Object.values(made), pieces: Object.values(counts).reduce((sum, n) => sum + n, 0), objects: where.map(w => w.map(e => ({ piece: e.piece, batch: made[e.key], index: e.index }))) };
   }
 
   /** The arrow on top of an object. */
@@ -259,12 +263,12 @@ class View {
     return product(parallel(2 * radius, 2 * radius, 0, 4 * radius), lookAt(times(sun, 2 * radius), [0, 0, 0], [0, 0, -1]));
   }
 
-  /** Draws the moment from a camera, its eye and its matrix, into a part of the canvas: left, bottom, width and height in pixels. */
-  draw(eye, camera, part) {
-    const { gl, canvas } = this, look = LOOKS[this.shown.dark ? 'dark' : 'light'];
-    this.camera = camera;
-    this.gather();
-    const sunCamera = this.sunCamera(), solids = this.statics.list.concat(this.movers.list);
+  /** The sun's view of what casts shadows. Where the processor draws, many moveable pieces cast none, so that it is drawn once. */
+  castShadows(sunCamera) {
+    const { gl } = this, still = this.plain && this.movers.pieces > SOME_PIECES;
+    if (still && this.shadowed === this.chapter) return;
+    this.shadowed = still ? this.chapter : null;
+    const casting = still ? this.statics.list : this.statics.list.concat(this.movers.list);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.shadowTarget);
     gl.disable(gl.SCISSOR_TEST);
     gl.viewport(0, 0, this.shadowSize, this.shadowSize);
@@ -275,9 +279,19 @@ class View {
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1.5, 3);
     use(gl, this.shadow, { camera: sunCamera, sunCamera, push: 0 });
-    solids.forEach(b => b.draw(this.shadow));
+    casting.forEach(b => b.draw(this.shadow));
     gl.disable(gl.POLYGON_OFFSET_FILL);
+    gl.disable(gl.CULL_FACE);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  /** Draws the moment from a camera, its eye and its matrix, into a part of the canvas: left, bottom, width and height in pixels. */
+  draw(eye, camera, part) {
+    const { gl, canvas } = this, look = LOOKS[this.shown.dark ? 'dark' : 'light'];
+    this.camera = camera;
+    this.gather();
+    const sunCamera = this.sunCamera(), solids = this.statics.list.concat(this.movers.list);
+    this.castShadows(sunCamera);
     const [left, bottom, wide, high] = part || [0, 0, canvas.width, canvas.height];
     gl.viewport(left, bottom, wide, high);
     gl.enable(gl.SCISSOR_TEST);
@@ -289,11 +303,12 @@ class View {
     gl.bindTexture(gl.TEXTURE_2D, this.shadowMap);
     const common = { camera, sunCamera, eye, sun: this.sun, shadows: 0, paper: look.paper, night: look.night, floorAt: this.floorAt, reach: this.reach };
     const middle = [0, this.floorAt - 0.0005 * this.reach, 0];
+    use(gl, this.solid, { ...common, alpha: 1, ground: look.ground, push: 1e-3 * this.reach });
+    solids.forEach(b => b.draw(this.solid));
+    gl.disable(gl.CULL_FACE);
     use(gl, this.floor, { ...common, middle, wide: 2.2 * this.reach, border: this.border, zero: this.zero(), cell: this.cell, ground: look.ground, line: look.line });
     gl.bindVertexArray(this.square);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
-    use(gl, this.solid, { ...common, alpha: 1, ground: look.ground, push: 1e-3 * this.reach });
-    solids.forEach(b => b.draw(this.solid));
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
@@ -301,6 +316,7 @@ class View {
     this.beams.draw();
     use(gl, this.solid, { ...common, alpha: 0.4, ground: look.ground, push: 0 });
     this.goals.list.forEach(b => b.draw(this.solid));
+    gl.disable(gl.CULL_FACE);
     use(gl, this.stroke, { camera, eye, screen: [wide / 2, high / 2] });
     this.strokes.draw();
     gl.depthMask(true);

@@ -4,7 +4,7 @@ const address = process.argv[2];
 
 /** A canvas that draws nothing: every function of WebGL is there and returns a number. */
 function blank() {
-  const known = { getShaderParameter: () => true, getProgramParameter: (p, name) => name === 'ACTIVE_UNIFORMS' ? 0 : true };
+  const known = { getExtension: () => null, getShaderParameter: () => true, getProgramParameter: (p, name) => name === 'ACTIVE_UNIFORMS' ? 0 : true };
   return new Proxy({}, { get: (_, name) => name in known ? known[name] : /^[A-Z_0-9]+$/.test(name) ? String(name) : () => 1 });
 }
 
@@ -69,7 +69,13 @@ async function main() {
     action({ key: name, target: element('body'), preventDefault() {}, ...more })), tick: () => frames.splice(0).forEach(action => action(performance.now())) });
   setInterval(page.tick, 15);
   globalThis.page = page;
-  globalThis.until = async condition => { while (!condition()) await new Promise(done => setTimeout(done, 5)); return true; };
+  globalThis.until = async condition => {
+    for (const end = performance.now() + 30000; !condition();) {
+      if (performance.now() > end) throw new Error('never: ' + condition + ' ' + element('problem').textContent);
+      await new Promise(done => setTimeout(done, 5));
+    }
+    return true;
+  };
   for await (const line of require('readline').createInterface({ input: process.stdin })) {
     try {
       const said = await run(line);
