@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.management.ManagementFactory;
 import java.time.Duration;
 import java.util.Locale;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -13,6 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * has a ninth of {@code soak.seconds}, and the promise is checked, which needs a machine without other work. In an ordinary build
  * one of them has half a second, and only the answers are checked.
  */
+@Tag("clock")
 class FairnessTest {
     private static final long SECONDS = Long.getLong("soak.seconds", 0);
 

@@ -7,7 +7,6 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.reference.PlanarTwin;
-import robosim.geometry.reference.Quantity.Doubt;
 import robosim.geometry.reference.StartTruth;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -157,7 +156,7 @@ final class PlanarWay implements Kernel {
         double[] b = places.b;
         double size = one.size() + two.size();
         if (PlanarTwin.exactly(number -> Truth.planar(number, formA, a, formB, b))) {
-            int out = out(formA, a, formB, b);
+            int out = StartTruth.out(formA, a, dx, dz, formB, b);
             boolean deep = one.partedRoughly(two) < -CLOSE * size;
             String regime = (deep ? INSIDE : TOUCHING) + (out < 0 ? "into" : out > 0 || deep ? "away" : "along");
             boolean isRight = time == (out < 0 ? 0 : Double.POSITIVE_INFINITY);
@@ -190,14 +189,6 @@ final class PlanarWay implements Kernel {
         boolean early = !PlanarTwin.exactly(
                 number -> WayTruth.planarBy(number, formA, places.a, dx, dz, next, 0, formB, places.b));
         return Visit.number(regime, early ? 2 : 0, late ? 2 : 0, 0, this::told);
-    }
-
-    private int out(Form formA, double[] a, Form formB, double[] b) {
-        try {
-            return StartTruth.out(Truth.COARSE, formA, a, dx, dz, formB, b);
-        } catch (Doubt doubt) {
-            return StartTruth.out(Truth.EXACT, formA, a, dx, dz, formB, b);
-        }
     }
 
     /** How far beside each other the two pass if the way goes on for ever, below 0 where they do not; in plain doubles. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.model.BoxObject;
@@ -18,6 +19,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** Between which shapes a verdict may be uncertain: those that the javadoc of {@link Certainty} names, and no others. */
+@Tag("slow")
 class CertaintyTest {
     private final SplittableRandom random = new SplittableRandom(36076);
 

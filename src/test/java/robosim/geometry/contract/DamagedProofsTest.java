@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Effort;
@@ -30,6 +31,7 @@ import robosim.geometry.proof.Scene;
 import robosim.geometry.proof.Witness;
 
 /** Damaged witnesses, and good ones of other claims, are rejected: by the checker, and by the one in Python. */
+@Tag("clock")
 class DamagedProofsTest {
     private static final Point NOWHERE = new Point(1e6, 1e6, 1e6);
 

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.Rulings;
@@ -111,6 +112,7 @@ class LimitedWorkTest {
     }
 
     /** Few objects and so few reports, but each question is of many pairs. */
+    @Tag("slow")
     @Test
     void aCheckCountsWhatItsQuestionsTake() throws Exception {
         List<WorldObject> objects = List.of(

@@ -3,7 +3,9 @@ package robosim.geometry.contract;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Collections;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -86,6 +88,15 @@ final class PlainList {
             throw new IllegalStateException("object must fit into the world (got: " + object + ")");
         }
         objects.set(k, object);
+    }
+
+    /** Puts the objects into another order. */
+    void shuffle(SplittableRandom random) {
+        for (int k = objects.size() - 1; k > 0; k--) {
+            int other = random.nextInt(k + 1);
+            Collections.swap(objects, k, other);
+            Collections.swap(alone, k, other);
+        }
     }
 
     /** Whether an object is within the border. */

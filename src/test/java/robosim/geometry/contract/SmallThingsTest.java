@@ -3,6 +3,7 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.Geometry;
@@ -79,6 +80,7 @@ class SmallThingsTest {
     }
 
     /** The top of a rod that tips over is flat; a search for it must not take all afternoon: the time guards against that alone. */
+    @Tag("slow")
     @Test
     @Timeout(60)
     void aRodTipsWithoutALongSearch() {

@@ -10,6 +10,9 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.RayHit;
+import robosim.geometry.SenseBuffer;
+import robosim.geometry.SenseBuffer.Extra;
+import robosim.geometry.WorldQueries;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.contract.PlainList.Free;
 import robosim.geometry.model.Accuracy;
@@ -157,9 +160,9 @@ final class WorldFuzz {
             case 3, 4 -> test(next(), LEVELS[random.nextInt(LEVELS.length)]);
             case 5 -> ray(0);
             case 6 -> ray(random.nextDouble(random.nextBoolean() ? 10 : 179));
-            case 7 -> cast();
+            case 7 -> random.nextInt(3) == 0 ? rays() : cast();
             case 8 -> proximity();
-            case 9 -> random.nextInt(20) == 0 ? snapshot() : ignoring();
+            case 9 -> random.nextInt(20) == 0 ? snapshot() : random.nextInt(8) == 0 ? reordered() : ignoring();
             default -> ofMover(kind);
         };
     }
@@ -180,19 +183,19 @@ final class WorldFuzz {
             case 11 -> sonar(name);
             case 12 -> place(name, to, degrees);
             case 13, 14 ->
-                motion(
+                quick(
                         "simpleMove %s %s".formatted(x, z),
                         name,
-                        0,
                         new Move(x, 0, z, 0, 0),
-                        (w, n) -> Free.of(w.simpleMove(n, x, 0, z), w.getObject(n)));
+                        (w, n) -> Free.of(w.simpleMove(n, x, 0, z), w.getObject(n)),
+                        (w, n) -> Free.of(w.move(n, new Move(x, 0, z, 0, 0)), w.getObject(n)));
             case 15 ->
-                motion(
+                quick(
                         "simpleTurn " + degrees,
                         name,
-                        0,
                         new Move(),
-                        (w, n) -> Free.of(w.simpleTurn(n, degrees), w.getObject(n)));
+                        (w, n) -> Free.of(w.simpleTurn(n, degrees), w.getObject(n)),
+                        (w, n) -> Free.of(w.moveGlobal(n, new Move(0, 0, 0, 0, degrees)), w.getObject(n)));
             case 16, 17 -> motion("move " + move, name, 0, move, (w, n) -> Free.of(w.move(n, move), w.getObject(n)));
             case 18 -> global(move, name, (w, n) -> Free.of(w.moveGlobal(n, move), w.getObject(n)));
             default ->
@@ -332,6 +335,55 @@ final class WorldFuzz {
         };
     }
 
+    /** Many rays in one call, of the world or of a snapshot: what each hits, and whether it is free with one object ignored. */
+    private Operation rays() {
+        int count = random.nextInt(1, layout.count() > 50 ? 9 : 70);
+        Ray[] lines = new Ray[count];
+        double[] rays = new double[7 * count];
+        for (int k = 0; k < count; k++) {
+            Ray ray = line();
+            lines[k] = ray;
+            Point from = ray.start();
+            Point way = ray.direction();
+            double range = k % 4 == 0 ? INFINITE : k % 5 == 0 ? 0 : random.nextDouble(10);
+            double[] numbers = {from.x(), from.y(), from.z(), way.x(), way.y(), way.z(), range};
+            System.arraycopy(numbers, 0, rays, 7 * k, 7);
+        }
+        String but = any();
+        boolean isCopy = random.nextBoolean();
+        return (world, list) -> {
+            WorldQueries asked = isCopy ? world.snapshot() : world;
+            SenseBuffer out = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS);
+            long[] free = new long[count / 64 + 1];
+            long[] ignoring = new long[count / 64 + 1];
+            asked.castRays(rays, count, out);
+            int found = asked.freeRays(rays, count, free);
+            int others = asked.freeRays(rays, count, but, ignoring);
+            BitSet isFree = BitSet.valueOf(free);
+            BitSet isIgnored = BitSet.valueOf(ignoring);
+            String wrong =
+                    compare("free of rays", found + " " + others, isFree.cardinality() + " " + isIgnored.cardinality());
+            for (int k = 0; k < count && wrong == null; k++) {
+                double range = rays[7 * k + 6];
+                RayHit hit = list.cast(lines[k], range);
+                GeometryObject met = out.object(k);
+                String answer = met == null
+                        ? "nothing, " + isFree.get(k)
+                        : out.distance(k) + " " + met.name() + " "
+                                + new Point(out.normalX(k), out.normalY(k), out.normalZ(k)) + ", " + isFree.get(k);
+                String truth = hit == null
+                        ? "nothing, true"
+                        : hit.distance() + " " + hit.object().name() + " " + hit.normal() + ", false";
+                boolean passes = list.ray(lines[k], 0, range, 0, find(list, but)) == INFINITE;
+                wrong = compare(
+                        "%s to %s, but %s".formatted(lines[k], range, but),
+                        answer + " " + isIgnored.get(k),
+                        truth + " " + passes);
+            }
+            return wrong;
+        };
+    }
+
     private Operation proximity() {
         String name = any();
         double max = range()[1];
@@ -347,6 +399,21 @@ final class WorldFuzz {
                 this.world = world.snapshot().toGeometry();
             }
             return compare("objects of a snapshot", exactly(this.world.objects()), exactly(world.objects()));
+        };
+    }
+
+    /** The same objects in another order: of what is met at once, another is the first from now on. */
+    private Operation reordered() {
+        long seed = random.nextLong();
+        return (world, list) -> {
+            if (world != this.world) {
+                return null; // of fewer objects
+            }
+            list.shuffle(new SplittableRandom(seed));
+            Geometry fresh = world();
+            list.objects().forEach(fresh::addObjectUnchecked);
+            this.world = fresh;
+            return compare("objects in another order", exactly(fresh.objects()), exactly(list.objects()));
         };
     }
 
@@ -395,6 +462,21 @@ final class WorldFuzz {
             boolean answer = world.placeObject(name, to, heading);
             list.replace(own, world.getObject(name));
             return compare("placing %s at %s, %s".formatted(name, to, heading), answer, truth);
+        };
+    }
+
+    /** A motion that is only answered yes or no: also as by the way that finds the contact too. */
+    private Operation quick(String what, String name, Move move, PlainList.Motion quick, PlainList.Motion whole) {
+        Operation alone = motion(what, name, 0, move, quick);
+        return (world, list) -> {
+            Free truth = whole.in(world.snapshot().toGeometry(), name);
+            String wrong = alone.carryOut(world, list);
+            return wrong != null
+                    ? wrong
+                    : compare(
+                            what + " of " + name + ", as a move",
+                            Script.exactly(world.getObject(name)),
+                            Script.exactly(truth.end()));
         };
     }
 

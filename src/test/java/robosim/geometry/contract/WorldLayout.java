@@ -36,7 +36,13 @@ enum WorldLayout {
     /** Flat sets, segments and points. */
     FLAT,
     /** Next to each other within a few last bits. */
-    CLOSE;
+    CLOSE,
+    /** Robots alone, more of them than are looked for one by one, side by side on a lattice in a narrow world. */
+    SWARM,
+    /** A hundred beside each other, many of which move. */
+    CROWD,
+    /** A hundred, most of them above others. */
+    STACKED;
 
     private static final int[][] QUADS = {
         {0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}
@@ -45,7 +51,8 @@ enum WorldLayout {
     /** Half the width of the places where things stand. */
     double spread() {
         return switch (this) {
-            case TALL, CLOSE -> 3;
+            case TALL, CLOSE, STACKED -> 3;
+            case CROWD -> 12;
             case TINY_AND_HUGE_CLUSTERS, HUGE_AMONG_TINY -> 10;
             default -> 5;
         };
@@ -53,7 +60,12 @@ enum WorldLayout {
 
     /** The extent of the world along each axis. */
     double extent() {
-        return this == FAR ? 4096 : this == TALL ? 80 : 32;
+        return switch (this) {
+            case FAR -> 4096;
+            case TALL -> 80;
+            case SWARM -> 11;
+            default -> 32;
+        };
     }
 
     /** How many objects there are, about. */
@@ -61,12 +73,18 @@ enum WorldLayout {
         return switch (this) {
             case CLOSE, FLAT, LATTICE, TILES, WALL -> 10;
             case UNIFORM -> 40;
+            case SWARM -> 20;
+            case CROWD, STACKED -> 100;
             default -> 16;
         };
     }
 
     double moveable(SplittableRandom random) {
-        return this == MOVERS ? random.nextDouble() : 3 * random.nextDouble();
+        return switch (this) {
+            case SWARM -> 0;
+            case MOVERS -> random.nextDouble();
+            default -> 3 * random.nextDouble();
+        };
     }
 
     Point middle() {
@@ -89,6 +107,8 @@ enum WorldLayout {
                 double cz = s * (random.nextInt(3) - 1) / 1.5;
                 yield new Point(cx + coordinate(random, 1.2), coordinate(random, 1), cz + coordinate(random, 1.2));
             }
+            case SWARM -> new Point(random.nextInt(-4, 5), random.nextInt(-1, 2) * 0.75, random.nextInt(-4, 5));
+            case STACKED -> new Point(coordinate(random, s), coordinate(random, 12), coordinate(random, s));
             case TALL -> new Point(coordinate(random, s), coordinate(random, 36), coordinate(random, s));
             case WALL -> new Point(random.nextDouble(-3, 3), coordinate(random, 0.5), coordinate(random, s));
             case TILES -> new Point(coordinate(random, s), 0.5 * random.nextInt(3), coordinate(random, s));
@@ -166,6 +186,7 @@ enum WorldLayout {
         return switch (this) {
             case LATTICE -> random.nextInt(1, 3);
             case CLOSE -> random.nextInt(1, 5) / 4.0;
+            case SWARM -> random.nextInt(1, 4) / 4.0;
             case HUGE_AMONG_TINY -> random.nextInt(40) == 0 ? 3 : random.nextDouble(0.02, 0.3);
             case TINY_AND_HUGE_CLUSTERS ->
                 random.nextInt(8) == 0 ? random.nextDouble(1, 3) : Math.scalb(1.0, -random.nextInt(2, 30));

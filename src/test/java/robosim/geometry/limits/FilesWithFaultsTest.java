@@ -7,12 +7,14 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Effort;
 
 /** Files of other programs with random faults: bytes changed, cut off, repeated, and numbers that are far too large. */
+@Tag("slow")
 @Timeout(120)
 class FilesWithFaultsTest {
     private static final String[] NUMBERS = {

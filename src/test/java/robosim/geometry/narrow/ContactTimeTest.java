@@ -3,7 +3,6 @@ package robosim.geometry.narrow;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -14,7 +13,12 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.reference.Decimals;
 import robosim.geometry.reference.HullMotion;
+import robosim.geometry.reference.PlanarTwin;
+import robosim.geometry.reference.StartTruth;
+import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.WayTruth;
 
 /** Times of contact of straight motions against exact twins, where rounding is at its worst: one double down, no more. */
 class ContactTimeTest {
@@ -100,7 +104,7 @@ class ContactTimeTest {
             double[] a = wholeNumbers(kindA);
             double[] b = wholeNumbers(LeafKind.BOX);
             double[] d = {random.nextInt(-1, 2), random.nextInt(-1, 2), random.nextInt(-1, 2)};
-            GridHull hull = new GridHull(FlatTwin.cornersInSpace(kindA, a), FlatTwin.cornersInSpace(LeafKind.BOX, b));
+            GridHull hull = new GridHull(corners(kindA, a), corners(LeafKind.BOX, b));
             if (!hull.touches()) {
                 continue;
             }
@@ -143,17 +147,24 @@ class ContactTimeTest {
         double time = PlanarSweep.translation(new Leaf(kindA, a, 0), dx, 17, dz, new Leaf(kindB, b, 0), scratch.sweep);
         double[] p = scaled(kindA, a, 1 / unit);
         double[] q = scaled(kindB, b, 1 / unit);
-        FlatTwin twin = new FlatTwin(kindA, p, dx / unit, dz / unit, kindB, q);
-        if (twin.touchesAtStart()) {
+        double x = dx / unit;
+        double z = dz / unit;
+        Form formA = PlanarRows.form(kindA);
+        Form formB = PlanarRows.form(kindB);
+        if (PlanarTwin.touch(formA, p, formB, q)) {
             contacts++;
-            boolean deeper = twin.goesDeeper();
+            boolean deeper = StartTruth.out(formA, p, x, z, formB, q) < 0;
             into += deeper ? 1 : 0;
             assertThat(time).as(what).isEqualTo(deeper ? 0 : FREE);
-        } else if (twin.meetsBy(1)) {
+        } else if (PlanarTwin.exactly(n -> WayTruth.planar(n, formA, p, x, z, formB, q))) {
             hits++;
-            BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
-            assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
-            assertThat(twin.meetsBy(Math.nextUp(time))).as(what).isTrue();
+            double next = Math.nextUp(time);
+            assertThat(PlanarTwin.exactly(n -> WayTruth.planarBy(n, formA, p, x, z, time, time * 0x1p-200, formB, q)))
+                    .as(what)
+                    .isFalse();
+            assertThat(PlanarTwin.exactly(n -> WayTruth.planarBy(n, formA, p, x, z, next, 0, formB, q)))
+                    .as(what)
+                    .isTrue();
         } else {
             misses++;
             assertThat(time).as(what).isEqualTo(FREE);
@@ -260,16 +271,8 @@ class ContactTimeTest {
         return row;
     }
 
-    static List<BigDecimal[]> corners(LeafKind kind, double[] row) {
-        if (kind != LeafKind.PRISM) {
-            return FlatTwin.cornersInSpace(kind, row);
-        }
-        List<BigDecimal[]> corners = new ArrayList<>();
-        for (BigDecimal[] corner : FlatTwin.corners(kind, row)) {
-            corners.add(new BigDecimal[] {corner[0], new BigDecimal(row[8]), corner[1]});
-            corners.add(new BigDecimal[] {corner[0], new BigDecimal(row[9]), corner[1]});
-        }
-        return corners;
+    private static List<BigDecimal[]> corners(LeafKind kind, double[] row) {
+        return Decimals.corners(PlanarRows.form(kind), row);
     }
 
     private static double[] scaled(LeafKind kind, double[] row, double f) {

@@ -13,6 +13,9 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PivotTurn;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.reference.PlanarTwin;
+import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.WayTruth;
 
 /** Motions that other engines got wrong, and those at the edges of the contract. */
 class HardMovesTest {
@@ -272,7 +275,8 @@ class HardMovesTest {
         double[] disc = SweepRows.disc(-1.8648802081807432, 0, 2.2666946041694307, 0.7004127975969017, 1);
         double dx = -0.40508976883743814;
         double dz = 0.029557661789241907;
-        assertThat(new FlatTwin(LeafKind.UPRIGHT_BOX, box, dx, dz, LeafKind.UPRIGHT_CYLINDER, disc).meetsBy(1))
+        assertThat(PlanarTwin.exactly(
+                        n -> WayTruth.planar(n, Form.UPRIGHT_BOX, box, dx, dz, Form.UPRIGHT_CYLINDER, disc)))
                 .isFalse();
         assertThat(planar(LeafKind.UPRIGHT_BOX, box, dx, dz, LeafKind.UPRIGHT_CYLINDER, disc))
                 .isEqualTo(FREE);

@@ -10,11 +10,13 @@ import java.net.Socket;
 import java.nio.file.Path;
 import javax.net.ssl.SSLSocket;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.protocol.MoveRequest;
 
 /** Certificates count only between their dates, and are replaced while sessions last. */
+@Tag("clock")
 class CertificatesTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
     private static final InetAddress HERE = InetAddress.getLoopbackAddress();

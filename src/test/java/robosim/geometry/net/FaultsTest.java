@@ -7,11 +7,13 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.MoveBundle;
 
 /** Bad networks cost their own connection at most; what a healthy one hears is what an undisturbed run says, to the bit. */
+@Tag("clock")
 class FaultsTest {
     @Test
     void everyFaultIsSurvivedAndNobodyElseNotices() throws Exception {

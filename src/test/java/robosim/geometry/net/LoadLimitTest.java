@@ -20,12 +20,14 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.scenario.drive.WorldLoading;
 import robosim.geometry.world.shared.RegularFile;
 
 /** A load has the limits of every other request, and ends with its peer and with the server. */
+@Tag("clock")
 class LoadLimitTest {
     private static final String BOX = "<box width='1' height='1' length='1'/>";
 

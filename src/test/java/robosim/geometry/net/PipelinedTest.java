@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,6 +40,7 @@ import robosim.geometry.protocol.pace.MessagePace;
  * Conversations of all sizes that are sent without waiting: how their bytes are split and joined on the way changes no
  * answer. The answers are compared with those of a session that sees no bytes.
  */
+@Tag("clock")
 @Timeout(120)
 class PipelinedTest {
     private static final int CONVERSATIONS = Effort.cases(30);

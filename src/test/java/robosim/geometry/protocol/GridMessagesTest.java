@@ -11,6 +11,7 @@ import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -197,6 +198,7 @@ class GridMessagesTest {
     }
 
     /** A few bytes can place the same cells again, and each place may cost a look at all of them. */
+    @Tag("slow")
     @Test
     void cellsCountAtEveryReference() throws IOException {
         GeometryObject floor = full(2000, 1000);

@@ -7,6 +7,7 @@ import static robosim.geometry.reference.Vectors.minus;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.reference.Quantity.Arithmetic;
+import robosim.geometry.reference.Quantity.Doubt;
 import robosim.geometry.reference.Truth.Form;
 
 /**
@@ -19,7 +20,15 @@ public final class StartTruth {
     private StartTruth() {}
 
     /** -1 where the motion is against all directions of least depth, 0 where it is along one and out by none, else 1. */
-    public static int out(Arithmetic n, Form formA, double[] a, double dx, double dz, Form formB, double[] b) {
+    public static int out(Form formA, double[] a, double dx, double dz, Form formB, double[] b) {
+        try {
+            return out(Truth.COARSE, formA, a, dx, dz, formB, b);
+        } catch (Doubt doubt) {
+            return out(Truth.EXACT, formA, a, dx, dz, formB, b);
+        }
+    }
+
+    private static int out(Arithmetic n, Form formA, double[] a, double dx, double dz, Form formB, double[] b) {
         if (!formA.isRound() && formB.isRound()) {
             return out(n, formB, b, -dx, -dz, formA, a);
         }

@@ -113,6 +113,14 @@ public final class WayTruth {
         return ball(n, Vectors.of(n, a[0], a[1], a[2]), Vectors.of(n, d[0], d[1], d[2]), n.of(a[3]), formB, b);
     }
 
+    /** The same for the first part of a way, that is, for {@code share - less} of it. */
+    public static boolean ballBy(
+            Arithmetic n, double[] a, double[] d, double share, double less, Form formB, double[] b) {
+        Quantity part = n.of(share).minus(n.of(less));
+        Quantity[] way = Vectors.times(Vectors.of(n, d[0], d[1], d[2]), part);
+        return ball(n, Vectors.of(n, a[0], a[1], a[2]), way, n.of(a[3]), formB, b);
+    }
+
     static boolean ball(Arithmetic n, Quantity[] from, Quantity[] way, Quantity radius, Form formB, double[] b) {
         if (formB == Form.SPHERE) {
             Quantity both = radius.plus(n.of(b[3]));

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -30,6 +31,7 @@ import robosim.geometry.model.SenseOptions;
 import robosim.geometry.model.SphereObject;
 
 /** Neither acne nor leaks, however flat the light and however far from the origin. */
+@Tag("slow")
 class ShadowsTest {
     private static final Material WHITE = Material.of(Color.WHITE).withSpecular(0);
 

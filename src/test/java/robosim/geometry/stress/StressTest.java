@@ -17,8 +17,8 @@ import robosim.geometry.Effort;
  * is where they start, {@code stress.families} a regular expression of names.
  */
 class StressTest {
-    private static final long RANDOM = Long.getLong("stress.random", Effort.cases(1_000));
-    private static final long ADVERSARIAL = Long.getLong("stress.adversarial", Effort.cases(600));
+    private static final long RANDOM = Long.getLong("stress.random", Effort.cases(1_500));
+    private static final long ADVERSARIAL = Long.getLong("stress.adversarial", Effort.cases(1_000));
     private static final long SEED = Long.getLong("stress.seed", 20_261_121);
     private static final String NAMES = System.getProperty("stress.families", ".*");
 

@@ -160,11 +160,6 @@ final class Surfaces {
         move(-point[0], -point[1], -point[2]);
     }
 
-    /** Puts one corner somewhere else. */
-    void setCorner(int at, double[] point) {
-        System.arraycopy(point, 0, corners.get(at), 0, 3);
-    }
-
     /** Steps a coordinate of a corner by an ulp or two. */
     void nudge() {
         double[] corner = corners.get(random.nextInt(corners.size()));

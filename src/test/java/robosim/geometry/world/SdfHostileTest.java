@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +19,7 @@ import robosim.geometry.Effort;
 import robosim.geometry.model.Point;
 
 /** Files of SDFormat from a stranger: they cost no more than their size, and open nothing that is none of theirs. */
+@Tag("slow")
 @Timeout(120)
 class SdfHostileTest {
     @TempDir

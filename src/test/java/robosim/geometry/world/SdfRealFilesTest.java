@@ -41,9 +41,9 @@ class SdfRealFilesTest {
     }
 
     private static int count(Document document, String path) throws Exception {
-        return ((Double) XPathFactory.newDefaultInstance()
-                        .newXPath()
-                        .evaluateExpression("count(" + path + ")", document, Double.class))
+        return XPathFactory.newDefaultInstance()
+                .newXPath()
+                .evaluateExpression("count(" + path + ")", document, Double.class)
                 .intValue();
     }
 

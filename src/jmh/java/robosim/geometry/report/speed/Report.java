@@ -24,7 +24,6 @@ final class Report {
         SECTIONS.put(List.of("moves"), MovesSection::add);
         SECTIONS.put(List.of("worlds"), WorldsSection::add);
         SECTIONS.put(List.of("sizes"), SizesSection::add);
-        SECTIONS.put(List.of("latency"), LatencySection::add);
         SECTIONS.put(List.of("sensors"), SensorsSection::add);
         SECTIONS.put(List.of("filter"), FilterSection::add);
     }

@@ -104,7 +104,6 @@ public final class SpeedAgainstError {
             parts.add(new Part("filter", fork % 2 == 0 ? "alone" : "on", 20));
         }
         parts.addAll(List.of(
-                new Part("latency", "on", 20),
                 new Part("verdicts", "on", 60),
                 new Part("verdicts", "alone", 60),
                 new Part("distances", "on", 30),

@@ -26,7 +26,6 @@ interface Study {
             case "filter" -> new Worlds(false);
             case "sizes" -> new Sizes();
             case "cones" -> new Cones();
-            case "latency" -> new Latency();
             case "robots" -> new Robots();
             case "sensors" -> new Sensors();
             default -> throw new IllegalArgumentException("no such study (got: " + name + ")");

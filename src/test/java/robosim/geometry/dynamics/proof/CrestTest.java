@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Geometry;
@@ -23,6 +24,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
 
 /** Ordinary ground: over roofs, sills and edges of stages nobody is stopped, and only impulses take energy. */
+@Tag("slow")
 class CrestTest {
     private static final double MASS = 50;
     private static final double SECONDS = 1e-3;

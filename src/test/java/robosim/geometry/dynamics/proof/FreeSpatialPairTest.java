@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
@@ -19,6 +20,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** Two bodies of any shape that spin and collide in space, with no gravity and nothing else around, keep both momenta. */
+@Tag("slow")
 class FreeSpatialPairTest {
     /** Momentum, angular momentum about the origin, energy. */
     private static final int NUMBERS = 7;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -30,6 +31,7 @@ import robosim.geometry.model.SphereObject;
  * Bodies that drive, slide, roll and turn over the thresholds of doors, bumps and steps of 1 to 3 cm, and off stages: they trip,
  * tip and fall, or press against what they cannot climb, and no step stops one of them.
  */
+@Tag("slow")
 class OrdinaryGroundTest {
     private static final double SECONDS = 1.5;
 

@@ -60,7 +60,7 @@ class TwinTest {
     private void compare(SplittableRandom random, Surface surface, int movers, int boxes) {
         StepScene scene = new StepScene(100, 100, surface);
         Twin twin = new Twin(movers + 1, surface);
-        BoxObject block = (BoxObject) new BoxObject(new Point(0, 0, 0), 1.5, 1, 1).turned(0, random.nextDouble(360));
+        BoxObject block = new BoxObject(new Point(0, 0, 0), 1.5, 1, 1).turned(0, random.nextDouble(360));
         scene.wall(block);
         put(twin, movers, block, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
         for (int k = 0; k < movers; ) {

@@ -7,13 +7,16 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
-import robosim.geometry.narrow.BallTwin;
 import robosim.geometry.narrow.RimTwin;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
+import robosim.geometry.reference.PlanarTwin;
+import robosim.geometry.reference.Truth;
+import robosim.geometry.reference.Truth.Form;
+import robosim.geometry.reference.WayTruth;
 
 /** Spheres that move straight on, in space: exact where a root tells when, and within a bound on rims. */
 class MovingBallTest {
@@ -267,14 +270,18 @@ class MovingBallTest {
                         new Leaf(kind, b, 0), -d[0], -d[1], -d[2], new Leaf(LeafKind.SPHERE, ball, 0), scratch.sweep))
                 .as(what + " the other way round")
                 .isEqualTo(time);
-        BallTwin twin = new BallTwin(ball, d, kind, b);
-        if (twin.meetsBy(BigDecimal.ZERO)) {
+        Form form = Form.valueOf(kind.name());
+        if (PlanarTwin.exactly(n -> Truth.spatial(n, Form.SPHERE, ball, form, b))) {
             assertThat(time).as(what).isIn(0.0, FREE);
-        } else if (twin.meetsBy(BigDecimal.ONE)) {
+        } else if (PlanarTwin.exactly(n -> WayTruth.ball(n, ball, d, form, b))) {
             hits++;
-            BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
-            assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
-            assertThat(twin.meetsBy(new BigDecimal(Math.nextUp(time)))).as(what).isTrue();
+            double next = Math.nextUp(time);
+            assertThat(PlanarTwin.exactly(n -> WayTruth.ballBy(n, ball, d, time, time * 0x1p-200, form, b)))
+                    .as(what)
+                    .isFalse();
+            assertThat(PlanarTwin.exactly(n -> WayTruth.ballBy(n, ball, d, next, 0, form, b)))
+                    .as(what)
+                    .isTrue();
             double held = scratch.sweep
                     .sweep()
                     .move

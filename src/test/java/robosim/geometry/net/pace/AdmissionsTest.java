@@ -8,10 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.ProtocolException;
 
 /** Who makes room for whom, by a clock that only the test moves; a look at it takes a millisecond. */
+@Tag("clock")
 class AdmissionsTest {
     private static final long SECOND = TimeUnit.SECONDS.toNanos(1);
     private static final long LOOK = TimeUnit.MILLISECONDS.toNanos(1);

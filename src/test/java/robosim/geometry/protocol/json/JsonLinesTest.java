@@ -9,6 +9,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -342,6 +343,7 @@ class JsonLinesTest {
                 .hasMessageContaining("nesting must be at most 64 deep");
     }
 
+    @Tag("slow")
     @Test
     void listsAndPartsHaveTheirLimits() throws ProtocolException {
         String item = "{\"objectName\":\"\",\"xOffset\":1,\"zOffset\":0},";

@@ -19,6 +19,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +29,7 @@ import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.world.shared.JsonText;
 
 /** The page's own program against its server, where node is there to run it: without a screen, but with everything else. */
+@Tag("clock")
 @Timeout(120)
 class BrowsedPageTest {
     private static final String SCRIPT = "src/test/resources/robosim/geometry/viewer/web/browse.js";

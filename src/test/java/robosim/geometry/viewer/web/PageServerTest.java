@@ -25,6 +25,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.export.PageWriter;
@@ -47,6 +48,7 @@ import robosim.geometry.world.WorldReader;
 import robosim.geometry.world.shared.JsonText;
 
 /** What browsers are served: the page, its data, what happens, and what may be changed. */
+@Tag("clock")
 @Timeout(60)
 class PageServerTest {
     private final HttpClient browser = HttpClient.newHttpClient();

@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.model.CylinderObject;
@@ -28,6 +29,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.viewer.Talk;
 
 /** A session that is held, slowed and changed from outside. */
+@Tag("clock")
 @Timeout(60)
 class SessionControlTest {
     private static final Bundle FORWARD = new MoveBundle(List.of(Talk.move(0.5, 0)));

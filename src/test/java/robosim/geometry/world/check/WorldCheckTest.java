@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,6 +38,7 @@ import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
 
+@Tag("slow")
 class WorldCheckTest {
     private static World world(Dimension dimension, GeometryObject... objects) {
         List<WorldObject> all = new ArrayList<>();
