@@ -17,6 +17,28 @@ record PlaceBatch(String call, String name, Avoidance avoid, int count, Part par
         int answer(World world, int id, int from, int to);
     }
 
+    /** Poses of an object that may stand on what it stands on now. */
+    static PlaceBatch standing(String name, double[] poses, long[] free) {
+        int count = FreePlaces.check("poses", poses, FreePlaces.POSE, free);
+        return new PlaceBatch(
+                "freePoses",
+                name,
+                Avoidance.ALL,
+                count,
+                (world, id, from, to) -> world.places().poses(world.view, id, poses, from, to, free));
+    }
+
+    /** Edges of such an object. */
+    static PlaceBatch driving(String name, double[] edges, long[] free) {
+        int count = FreePlaces.check("edges", edges, FreePlaces.EDGE, free);
+        return new PlaceBatch(
+                "freeEdges",
+                name,
+                Avoidance.ALL,
+                count,
+                (world, id, from, to) -> world.places().edges(world.view, id, edges, from, to, free));
+    }
+
     static PlaceBatch poses(String name, double[] poses, Avoidance avoid, long[] free) {
         double margin = margin(name, avoid);
         int count = FreePlaces.check("poses", poses, FreePlaces.POSE, free);
