@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
@@ -22,7 +23,6 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.protocol.MessageLimits;
 
 /** Objects and their materials as JSON. */
