@@ -654,32 +654,27 @@ public final class Geometry implements WorldQueries {
 
     @Override
     public int freePoses(String name, double[] poses, Avoidance avoid, long[] free) {
-        PlaceBatch batch = PlaceBatch.poses(name, poses, avoid, free);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.poses(name, poses, avoid, free).answer(engine);
     }
 
     @Override
     public int freeEdges(String name, double[] edges, Avoidance avoid, long[] free) {
-        PlaceBatch batch = PlaceBatch.edges(name, edges, avoid, free);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.edges(name, edges, avoid, free).answer(engine);
     }
 
     @Override
     public int edgeFractions(String name, double[] edges, Avoidance avoid, double[] fractions) {
-        PlaceBatch batch = PlaceBatch.fractions(name, edges, avoid, fractions);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.fractions(name, edges, avoid, fractions).answer(engine);
     }
 
     @Override
     public int driveFractions(String name, double[] drives, Avoidance avoid, double[] fractions) {
-        PlaceBatch batch = PlaceBatch.drives(name, drives, avoid, fractions);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.drives(name, drives, avoid, fractions).answer(engine);
     }
 
     @Override
     public int clearances(String name, double[] poses, double max, Avoidance avoid, double[] out) {
-        PlaceBatch batch = PlaceBatch.clearances(name, poses, max, avoid, out);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.clearances(name, poses, max, avoid, out).answer(engine);
     }
 
     /**

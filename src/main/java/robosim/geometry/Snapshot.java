@@ -20,7 +20,6 @@ import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.ObjectRows;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;

@@ -112,7 +112,7 @@ final class WorldCopies {
         try {
             int parts = parts(batch.count(), BITS);
             if (Math.min(parts, threads) <= 1) {
-                return batch.answer(world, 0, batch.count());
+                return batch.answer(world);
             }
             batch.answer(world, 0, 0); // refuses names that have no answers
             AtomicInteger found = new AtomicInteger();
