@@ -254,7 +254,7 @@ public final class Geometry implements WorldQueries {
 
     /** Answers with proofs, which a {@link robosim.geometry.proof.ProofChecker} verifies; see {@code docs/proofs.md}. */
     public WorldProver prove() {
-        WorldProver made = prover == null ? new WorldProver(this) : prover;
+        WorldProver made = prover == null ? new WorldProver(engine) : prover;
         prover = made;
         return made;
     }
@@ -610,26 +610,32 @@ public final class Geometry implements WorldQueries {
 
     @Override
     public void castRays(double[] rays, int count, SenseBuffer out) {
-        registry.begin("castRays");
-        engine.rays.check(rays, count);
-        engine.rays.cast(view, rays, count, Checks.present("out", out).echoes());
+        castRays(engine, rays, count, out);
+    }
+
+    /** Answers rays in a world or a copy of it; returns how many there are. */
+    static int castRays(World world, double[] rays, int count, SenseBuffer out) {
+        world.registry.begin("castRays");
+        world.rays.check(rays, count);
+        world.rays.cast(world.view, rays, count, Checks.present("out", out).echoes());
+        return count;
     }
 
     @Override
     public int freeRays(double[] rays, int count, long[] free) {
-        return freeRays(rays, count, -1, free);
+        return freeRays(engine, rays, count, -1, free);
     }
 
     @Override
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
-        return freeRays(rays, count, registry.known(Checks.present("ignored", ignored)), free);
+        return freeRays(engine, rays, count, registry.known(Checks.present("ignored", ignored)), free);
     }
 
-    private int freeRays(double[] rays, int count, int ignored, long[] free) {
-        registry.begin("freeRays");
-        engine.rays.check(rays, count);
+    static int freeRays(World world, double[] rays, int count, int ignored, long[] free) {
+        world.registry.begin("freeRays");
+        world.rays.check(rays, count);
         FreePlaces.checkRoom(count, free);
-        return engine.rays.free(view, rays, count, ignored, free);
+        return world.rays.free(world.view, rays, count, ignored, free);
     }
 
     @Override
@@ -648,32 +654,27 @@ public final class Geometry implements WorldQueries {
 
     @Override
     public int freePoses(String name, double[] poses, Avoidance avoid, long[] free) {
-        PlaceBatch batch = PlaceBatch.poses(name, poses, avoid, free);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.poses(name, poses, avoid, free).answer(engine);
     }
 
     @Override
     public int freeEdges(String name, double[] edges, Avoidance avoid, long[] free) {
-        PlaceBatch batch = PlaceBatch.edges(name, edges, avoid, free);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.edges(name, edges, avoid, free).answer(engine);
     }
 
     @Override
     public int edgeFractions(String name, double[] edges, Avoidance avoid, double[] fractions) {
-        PlaceBatch batch = PlaceBatch.fractions(name, edges, avoid, fractions);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.fractions(name, edges, avoid, fractions).answer(engine);
     }
 
     @Override
     public int driveFractions(String name, double[] drives, Avoidance avoid, double[] fractions) {
-        PlaceBatch batch = PlaceBatch.drives(name, drives, avoid, fractions);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.drives(name, drives, avoid, fractions).answer(engine);
     }
 
     @Override
     public int clearances(String name, double[] poses, double max, Avoidance avoid, double[] out) {
-        PlaceBatch batch = PlaceBatch.clearances(name, poses, max, avoid, out);
-        return batch.answer(engine, 0, batch.count());
+        return PlaceBatch.clearances(name, poses, max, avoid, out).answer(engine);
     }
 
     /**

@@ -17,26 +17,32 @@ record PlaceBatch(String call, String name, Avoidance avoid, int count, Part par
         int answer(World world, int id, int from, int to);
     }
 
+    /** Poses of an object that may stand on what it stands on now. */
+    static PlaceBatch standing(String name, double[] poses, long[] free) {
+        int count = FreePlaces.check("poses", poses, FreePlaces.POSE, free);
+        Part part = (world, id, from, to) -> world.places().poses(world.view, id, poses, from, to, free);
+        return new PlaceBatch("freePoses", name, Avoidance.ALL, count, part);
+    }
+
+    /** Edges of such an object. */
+    static PlaceBatch driving(String name, double[] edges, long[] free) {
+        int count = FreePlaces.check("edges", edges, FreePlaces.EDGE, free);
+        Part part = (world, id, from, to) -> world.places().edges(world.view, id, edges, from, to, free);
+        return new PlaceBatch("freeEdges", name, Avoidance.ALL, count, part);
+    }
+
     static PlaceBatch poses(String name, double[] poses, Avoidance avoid, long[] free) {
         double margin = margin(name, avoid);
         int count = FreePlaces.check("poses", poses, FreePlaces.POSE, free);
-        return new PlaceBatch(
-                "freePoses",
-                name,
-                avoid,
-                count,
-                (world, id, from, to) -> world.batches().poses(world.view, id, poses, from, to, margin, free));
+        Part part = (world, id, from, to) -> world.batches().poses(world.view, id, poses, from, to, margin, free);
+        return new PlaceBatch("freePoses", name, avoid, count, part);
     }
 
     static PlaceBatch edges(String name, double[] edges, Avoidance avoid, long[] free) {
         double margin = margin(name, avoid);
         int count = FreePlaces.check("edges", edges, FreePlaces.EDGE, free);
-        return new PlaceBatch(
-                "freeEdges",
-                name,
-                avoid,
-                count,
-                (world, id, from, to) -> world.batches().edges(world.view, id, edges, from, to, margin, free));
+        Part part = (world, id, from, to) -> world.batches().edges(world.view, id, edges, from, to, margin, free);
+        return new PlaceBatch("freeEdges", name, avoid, count, part);
     }
 
     static PlaceBatch clearances(String name, double[] poses, double max, Avoidance avoid, double[] out) {
@@ -48,36 +54,24 @@ record PlaceBatch(String call, String name, Avoidance avoid, int count, Part par
             throw new IllegalArgumentException("out must have 1 or " + ClearanceQuery.NUMBERS + " numbers for each of "
                     + count + " poses (got: " + out.length + " numbers)");
         }
-        return new PlaceBatch(
-                "clearances",
-                name,
-                avoid,
-                count,
-                (world, id, from, to) -> world.batches().clearances(world.view, id, poses, from, to, max, out));
+        Part part = (world, id, from, to) -> world.batches().clearances(world.view, id, poses, from, to, max, out);
+        return new PlaceBatch("clearances", name, avoid, count, part);
     }
 
     static PlaceBatch fractions(String name, double[] edges, Avoidance avoid, double[] out) {
         double margin = margin(name, avoid);
         int count = FreePlaces.check("edges", edges, FreePlaces.EDGE);
         room("fractions", out, count, PlaceBatches.FRACTIONS);
-        return new PlaceBatch(
-                "edgeFractions",
-                name,
-                avoid,
-                count,
-                (world, id, from, to) -> world.batches().fractions(world.view, id, edges, from, to, margin, out));
+        Part part = (world, id, from, to) -> world.batches().fractions(world.view, id, edges, from, to, margin, out);
+        return new PlaceBatch("edgeFractions", name, avoid, count, part);
     }
 
     static PlaceBatch drives(String name, double[] drives, Avoidance avoid, double[] out) {
         double margin = margin(name, avoid);
         int count = PlaceBatches.checkDrives(drives);
         room("fractions", out, count, 1);
-        return new PlaceBatch(
-                "driveFractions",
-                name,
-                avoid,
-                count,
-                (world, id, from, to) -> world.batches().drives(world.view, id, drives, from, to, margin, out));
+        Part part = (world, id, from, to) -> world.batches().drives(world.view, id, drives, from, to, margin, out);
+        return new PlaceBatch("driveFractions", name, avoid, count, part);
     }
 
     private static double margin(String name, Avoidance avoid) {
@@ -90,6 +84,11 @@ record PlaceBatch(String call, String name, Avoidance avoid, int count, Part par
             throw new IllegalArgumentException(argument + " must have " + each + " numbers for each of " + count
                     + " answers (got: " + out.length + " numbers)");
         }
+    }
+
+    /** Answers all questions in a world; returns how many of them are free or clear. */
+    int answer(World engine) {
+        return answer(engine, 0, count);
     }
 
     /** Answers some of the questions in a world; returns how many of them are free or clear. */

@@ -20,7 +20,6 @@ import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.ObjectRows;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -66,7 +65,7 @@ public final class Snapshot implements WorldQueries, Serializable {
         this.movers = movers;
         this.arrivals = arrivals;
         this.time = time;
-        copies = new WorldCopies(this::toGeometry);
+        copies = new WorldCopies(() -> toGeometry().engine());
         threads = 1;
         statics.table(settings.accuracy); // else the first query would have to wait for it
     }
@@ -228,27 +227,28 @@ public final class Snapshot implements WorldQueries, Serializable {
 
     @Override
     public void castRays(double[] rays, int count, SenseBuffer out) {
-        copies.castRays(rays, count, out);
+        copies.answer(world -> Geometry.castRays(world, rays, count, out));
     }
 
     @Override
     public int freeRays(double[] rays, int count, long[] free) {
-        return copies.freeRays(world -> world.freeRays(rays, count, free));
+        return copies.answer(world -> Geometry.freeRays(world, rays, count, -1, free));
     }
 
     @Override
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
-        return copies.freeRays(world -> world.freeRays(rays, count, ignored, free));
+        return copies.answer(world ->
+                Geometry.freeRays(world, rays, count, world.registry.known(Checks.present("ignored", ignored)), free));
     }
 
     @Override
     public int freePoses(String name, double[] poses, long[] free) {
-        return copies.free(WorldCopies.Places.POSES, name, poses, threads, free);
+        return copies.answer(PlaceBatch.standing(Checks.present("name", name), poses, free), threads);
     }
 
     @Override
     public int freeEdges(String name, double[] edges, long[] free) {
-        return copies.free(WorldCopies.Places.EDGES, name, edges, threads, free);
+        return copies.answer(PlaceBatch.driving(Checks.present("name", name), edges, free), threads);
     }
 
     @Override

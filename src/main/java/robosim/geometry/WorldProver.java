@@ -40,20 +40,19 @@ public final class WorldProver {
     /** The largest tangent of half an angle of a turn that a single claim is about: 179.9 degrees. */
     private static final double MOST_TANGENT = 1146;
 
-    private final Geometry geometry;
     private final World world;
+    private final double[] vector = new double[6];
     private Prover prover;
 
-    WorldProver(Geometry geometry) {
-        this.geometry = geometry;
-        world = geometry.engine();
+    WorldProver(World world) {
+        this.world = world;
         prover = new Prover(scene());
     }
 
     /** The objects of the world as they are now, which proofs are about. */
     public Scene scene() {
         Point size = new Point(world.width, world.height, world.length);
-        return new Scene(geometry.objects(), world.dimension, size);
+        return new Scene(world.registry.present(), world.dimension, size);
     }
 
     /** A checker of proofs about the world as it is now. */
@@ -64,19 +63,19 @@ public final class WorldProver {
     /** Proves that an object is within the world and touches no other. */
     public Attempt apart(String name) {
         int self = begin(name);
-        return prover.apart(geometry.getObject(name), self, Claim.ALL);
+        return prover.apart(present(name), self, Claim.ALL);
     }
 
     /** Proves that an object is within the world and overlaps no other: pieces that it touches are listed in the claim. */
     public Attempt clear(String name) {
         int self = begin(name);
-        return prover.clear(geometry.getObject(name), self);
+        return prover.clear(present(name), self);
     }
 
     /** Proves that two objects touch, or that they do not. */
     public Attempt pair(String name, String other) {
         begin(name);
-        GeometryObject body = geometry.getObject(name);
+        GeometryObject body = present(name);
         int index = index(other);
         Attempt apart = prover.apart(body, Claim.ALL, index);
         return apart.isProved() ? apart : prover.touching(body, index);
@@ -89,8 +88,9 @@ public final class WorldProver {
      */
     public Attempt proximity(String name, double max) {
         int self = begin(name);
-        double distance = geometry.getProximity(name, max);
-        GeometryObject body = geometry.getObject(name);
+        Checks.range(0, max);
+        double distance = world.proximity.of(world.view, world.registry.known(name), max);
+        GeometryObject body = present(name);
         if (distance > max) {
             return prover.distance(body, self, Claim.ALL, max, Double.POSITIVE_INFINITY);
         }
@@ -124,7 +124,7 @@ public final class WorldProver {
     }
 
     private List<Attempt> motion(String name, int self, Point way, Move move, boolean isAllowed, boolean isOwn) {
-        GeometryObject start = geometry.getObject(name);
+        GeometryObject start = present(name);
         double fraction = isAllowed ? 1 : world.motion.fraction();
         int obstacle = isAllowed ? World.NOTHING : world.motion.obstacle();
         double share = isAllowed ? 1 : world.motion.turnFraction();
@@ -191,10 +191,15 @@ public final class WorldProver {
      */
     public Attempt ray(Ray ray, double max) {
         begin(null);
-        RayHit hit = geometry.castRay(ray, max);
-        return hit == null
+        double distance = world.beams.cast(world.view, ray, max, vector);
+        return distance == Double.POSITIVE_INFINITY
                 ? prover.ray(ray.start(), ray.direction(), Claim.ALL, max, Claim.ALL)
-                : prover.ray(ray.start(), ray.direction(), Claim.ALL, hit.distance(), index(hit.object()));
+                : prover.ray(
+                        ray.start(),
+                        ray.direction(),
+                        Claim.ALL,
+                        distance,
+                        index(world.objects.present(world.beams.hit())));
     }
 
     /**
@@ -205,7 +210,7 @@ public final class WorldProver {
      */
     public Attempt cone(Ray ray, double max, double width) {
         begin(null);
-        double distance = geometry.getRayDistance(ray, 0, max, width);
+        double distance = world.beams.distance(world.view, ray, 0, max, width, -1);
         double cosine = Degrees.cos(Checks.width(width) / 2);
         return prover.cone(ray.start(), ray.direction(), cosine, Claim.ALL, Math.min(distance, max), Claim.ALL);
     }
@@ -217,12 +222,17 @@ public final class WorldProver {
                     "accuracy must be EXACT for a proof, which is about the objects and not their"
                             + " enclosures (got: " + world.accuracy() + ")");
         }
+        world.registry.begin("prove");
         prover = prover.with(scene());
         return name == null ? Claim.ALL : index(name);
     }
 
+    private GeometryObject present(String name) {
+        return world.objects.present(world.registry.known(name));
+    }
+
     private int index(String name) {
-        return index(geometry.getObject(name));
+        return index(present(name));
     }
 
     private int index(GeometryObject object) {

@@ -11,6 +11,8 @@
  *   <li>{@link RayHit} and {@link NearObject}: the nearest surface along a ray, and the nearest object
  *   <li>{@link SenseBuffer}: the readings of all beams of a pattern, in arrays that are used again
  *   <li>{@link ObjectSearch}: which objects are where
+ *   <li>{@link Avoidance}: a margin, and objects that do not count
+ *   <li>{@link WorldProver}: the answers of a world with proofs
  *   <li>{@link WorkLimit} and {@link WorkLimitException}: how much work a call may take
  * </ul>
  *

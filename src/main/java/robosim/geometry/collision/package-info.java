@@ -8,6 +8,7 @@
  *   <li>{@link ContactQuery}: a query about two objects: collision, distance, contacts
  *   <li>{@link Verdict}: the answer, and how certain it is
  *   <li>{@link Contact} and {@link ContactPart}: where two objects touch, and the face or member of each that does
+ *   <li>{@link SignedDistance}: how far apart two objects are, or how deep in each other, with points and direction
  *   <li>{@link Budget}: how much work a query may take
  *   <li>{@link Certainty}: how sure a verdict is
  * </ul>

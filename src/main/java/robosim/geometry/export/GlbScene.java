@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
@@ -16,7 +17,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Quaternion;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.world.shared.JsonText;
 
 /** The nodes, meshes and materials of a glTF file, as JSON, and the numbers that they refer to. */

@@ -3,11 +3,11 @@ package robosim.geometry.export;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
-import robosim.geometry.model.TriangleMesh;
 
 /**
  * The triangles of a shape, counter-clockwise seen from outside; without normals where each face is flat by itself. Each

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
@@ -13,7 +14,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Quaternion;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.world.shared.Placement;
 
 /** The objects of a page, each once: what several worlds of a recording have in common is told once. */

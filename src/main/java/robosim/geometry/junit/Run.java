@@ -2,6 +2,7 @@ package robosim.geometry.junit;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.SplittableRandom;
@@ -17,7 +18,7 @@ final class Run {
     private static final Pattern INVOCATION = Pattern.compile("#(\\d+)]");
 
     private final ExtensionContext context;
-    private final @Nullable World annotation;
+    private final @Nullable Source source;
     private final Choice choice;
     private final long seed;
     private final SplittableRandom splittable;
@@ -30,11 +31,19 @@ final class Run {
         static final Choice NONE = new Choice(null, null);
     }
 
-    Run(ExtensionContext context, Choice choice) {
+    /**
+     * What the annotations say.
+     *
+     * @param files  worlds to choose from
+     * @param method that makes a world where there are no files
+     */
+    record Source(List<String> files, String method, Duration step) {}
+
+    Run(ExtensionContext context, Choice choice, @Nullable Source source, long @Nullable [] seeds) {
         this.context = context;
         this.choice = choice;
-        this.annotation = find(context, World.class).orElse(null);
-        this.seed = seed();
+        this.source = source;
+        this.seed = seed(seeds);
         this.splittable = new SplittableRandom(seed);
         this.random = new Random(seed);
     }
@@ -52,7 +61,7 @@ final class Run {
         return Optional.empty();
     }
 
-    private long seed() {
+    private long seed(long @Nullable [] values) {
         Optional<String> wanted = context.getConfigurationParameter("robosim.seed");
         if (wanted.isPresent()) {
             try {
@@ -66,11 +75,9 @@ final class Run {
         if (chosen != null) {
             return chosen;
         }
-        Optional<Seed> seeds = find(context, Seed.class);
-        if (seeds.isEmpty()) {
+        if (values == null) {
             return name(context).hashCode();
         }
-        long[] values = seeds.get().value();
         if (values.length != 1) {
             throw new ExtensionConfigurationException(
                     "@Seed must have one value except on a @ScenarioTest (got: " + values.length + ")");
@@ -80,30 +87,30 @@ final class Run {
 
     RobotWorld world() {
         if (world == null) {
-            if (annotation == null) {
+            if (source == null) {
                 throw new ExtensionConfigurationException("a test with a world must have one by @World (got: none)");
             }
-            world = world(annotation, new VirtualClock(Duration.ofMillis(annotation.stepMillis())));
+            world = world(source, new VirtualClock(source.step()));
         }
         return world;
     }
 
-    private RobotWorld world(World named, VirtualClock clock) {
+    private RobotWorld world(Source named, VirtualClock clock) {
         Class<?> test = context.getRequiredTestClass();
-        String[] files = named.value();
-        if (named.method().isEmpty() == (files.length == 0)) {
-            throw new ExtensionConfigurationException("@World must name either files or a method (got: "
-                    + (files.length == 0 ? "neither" : "both") + ")");
+        List<String> files = named.files();
+        if (named.method().isEmpty() == files.isEmpty()) {
+            throw new ExtensionConfigurationException(
+                    "@World must name either files or a method (got: " + (files.isEmpty() ? "neither" : "both") + ")");
         }
-        if (files.length == 0) {
+        if (files.isEmpty()) {
             return new RobotWorld(WorldFile.build(named.method(), test), null, clock);
         }
         String chosen = choice.world();
-        if (chosen == null && files.length > 1) {
+        if (chosen == null && files.size() > 1) {
             throw new ExtensionConfigurationException(
-                    "@World must name one file except on a @ScenarioTest (got: " + files.length + ")");
+                    "@World must name one file except on a @ScenarioTest (got: " + files.size() + ")");
         }
-        robosim.geometry.world.World file = WorldFile.read(chosen == null ? files[0] : chosen, test);
+        robosim.geometry.world.World file = WorldFile.read(chosen == null ? files.get(0) : chosen, test);
         try {
             return new RobotWorld(file.toGeometry(), file, clock);
         } catch (IllegalArgumentException e) {

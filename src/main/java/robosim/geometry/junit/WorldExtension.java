@@ -2,6 +2,8 @@ package robosim.geometry.junit;
 
 import java.io.IOException;
 import java.time.Clock;
+import java.time.Duration;
+import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.SplittableRandom;
@@ -54,7 +56,12 @@ final class WorldExtension
         Run run = store.get(Run.class, Run.class);
         if (run == null) {
             Run.Choice choice = store.get(Run.Choice.class, Run.Choice.class);
-            run = new Run(context, choice == null ? Run.Choice.NONE : choice);
+            Run.Source source = Run.find(context, World.class)
+                    .map(world -> new Run.Source(
+                            List.of(world.value()), world.method(), Duration.ofMillis(world.stepMillis())))
+                    .orElse(null);
+            long[] seeds = Run.find(context, Seed.class).map(Seed::value).orElse(null);
+            run = new Run(context, choice == null ? Run.Choice.NONE : choice, source, seeds);
             store.put(Run.class, run);
         }
         return run;

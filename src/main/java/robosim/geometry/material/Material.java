@@ -1,10 +1,7 @@
 package robosim.geometry.material;
 
-import java.io.InvalidObjectException;
-import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.io.Serializable;
-import java.util.Objects;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
@@ -16,8 +13,28 @@ import robosim.geometry.check.Checks;
  * surface's colour, {@code specular} of it makes a highlight around the mirrored direction, the smaller the larger {@code
  * shininess} is. {@code mirror} is the share of what is seen that comes from the mirrored direction instead of the surface
  * itself. {@code emission} is light that the surface gives of its own.
+ *
+ * @param color       the colour of what is scattered; a texture takes its place
+ * @param diffuse     the share of light that is scattered in all directions, from 0 to 1
+ * @param specular    the share of light that makes a highlight, from 0 to 1
+ * @param shininess   the exponent of the highlight, from 1 to {@link #MOST_SHININESS}; a greater one makes it smaller
+ * @param mirror      the share of what is seen that comes from the mirrored direction, from 0 to 1
+ * @param emission    the light that the surface gives of its own; black for none. It lights nothing else
+ * @param texture     the pattern that takes the place of the colour; null for none
+ * @param reflectance the share of a lidar's pulse that is scattered back at right angles, from 0 to 1
+ * @param label       what a segmentation camera sees in its place, at least 0; 0 for none
  */
-public final class Material implements Serializable {
+public record Material(
+        Color color,
+        double diffuse,
+        double specular,
+        double shininess,
+        double mirror,
+        Color emission,
+        @Nullable Texture texture,
+        double reflectance,
+        int label)
+        implements Serializable {
     /** The greatest shininess: a highlight that is narrower than a pixel. */
     public static final double MOST_SHININESS = 1e6;
 
@@ -25,93 +42,28 @@ public final class Material implements Serializable {
     public static final Material DEFAULT =
             new Material(new Color(0.8, 0.8, 0.8), 1, 0.1, 16, 0, Color.BLACK, null, 0.5, 0);
 
+    @Serial
     private static final long serialVersionUID = 1;
 
-    private final transient Color color;
-    private final transient double diffuse;
-    private final transient double specular;
-    private final transient double shininess;
-    private final transient double mirror;
-    private final transient Color emission;
-    private final transient @Nullable Texture texture;
-    private final transient double reflectance;
-    private final transient int label;
-
-    private Material(
-            Color color,
-            double diffuse,
-            double specular,
-            double shininess,
-            double mirror,
-            Color emission,
-            @Nullable Texture texture,
-            double reflectance,
-            int label) {
-        this.color = Checks.present("color", color);
-        this.diffuse = Checks.share("diffuse", diffuse);
-        this.specular = Checks.share("specular", specular);
+    /** Refuses null, and numbers that are out of range. */
+    public Material {
+        Checks.present("color", color);
+        diffuse = Checks.share("diffuse", diffuse);
+        specular = Checks.share("specular", specular);
         if (!(shininess >= 1 && shininess <= MOST_SHININESS)) { // written so that NaN fails it
             throw new IllegalArgumentException("shininess must be a number from 1 to 1000000 (got: " + shininess + ")");
         }
-        this.shininess = shininess;
-        this.mirror = Checks.share("mirror", mirror);
-        this.emission = Checks.present("emission", emission);
-        this.texture = texture;
-        this.reflectance = Checks.share("reflectance", reflectance);
+        mirror = Checks.share("mirror", mirror);
+        Checks.present("emission", emission);
+        reflectance = Checks.share("reflectance", reflectance);
         if (label < 0) {
             throw new IllegalArgumentException("label must be at least 0, which is none (got: " + label + ")");
         }
-        this.label = label;
     }
 
     /** {@link #DEFAULT} in another colour. */
     public static Material of(Color color) {
         return DEFAULT.withColor(color);
-    }
-
-    /** The colour of what is scattered; a texture takes its place. */
-    public Color color() {
-        return color;
-    }
-
-    /** The share of light that is scattered in all directions, from 0 to 1. */
-    public double diffuse() {
-        return diffuse;
-    }
-
-    /** The share of light that makes a highlight, from 0 to 1. */
-    public double specular() {
-        return specular;
-    }
-
-    /** The exponent of the highlight, from 1 to {@link #MOST_SHININESS}; a greater one makes it smaller. */
-    public double shininess() {
-        return shininess;
-    }
-
-    /** The share of what is seen that comes from the mirrored direction, from 0 to 1. */
-    public double mirror() {
-        return mirror;
-    }
-
-    /** The light that the surface gives of its own; black for none. It lights nothing else. */
-    public Color emission() {
-        return emission;
-    }
-
-    /** The pattern that takes the place of the colour; null for none. */
-    public @Nullable Texture texture() {
-        return texture;
-    }
-
-    /** The share of a lidar's pulse that is scattered back at right angles, from 0 to 1. */
-    public double reflectance() {
-        return reflectance;
-    }
-
-    /** What a segmentation camera sees in its place, at least 0; 0 for none. */
-    public int label() {
-        return label;
     }
 
     /** This material in another colour. */
@@ -177,26 +129,6 @@ public final class Material implements Serializable {
         return label == 0 && group.label != 0 ? withLabel(group.label) : this;
     }
 
-    @Override
-    public boolean equals(Object other) {
-        return this == other
-                || (other instanceof Material that
-                        && color.equals(that.color)
-                        && diffuse == that.diffuse
-                        && specular == that.specular
-                        && shininess == that.shininess
-                        && mirror == that.mirror
-                        && emission.equals(that.emission)
-                        && reflectance == that.reflectance
-                        && label == that.label
-                        && Objects.equals(texture, that.texture));
-    }
-
-    @Override
-    public int hashCode() {
-        return Objects.hash(color, diffuse, specular, shininess, mirror, emission, texture, reflectance, label);
-    }
-
     /** The colour or the pattern, and all that differs from {@link #DEFAULT}. */
     @Override
     public String toString() {
@@ -229,11 +161,6 @@ public final class Material implements Serializable {
     @Serial
     private Object writeReplace() {
         return new Form(color, diffuse, specular, shininess, mirror, emission, texture, reflectance, label);
-    }
-
-    @Serial
-    private void readObject(ObjectInputStream in) throws InvalidObjectException {
-        throw new InvalidObjectException("a material must come as its serial form (got: its own class)");
     }
 
     /** The serialized form. */

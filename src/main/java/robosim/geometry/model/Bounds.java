@@ -6,6 +6,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.index.cells.PlacedCells;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /**

@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.GeometryObject.RoundedBox;
 
 /**

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.TextureCoordinates;
 
 /**
@@ -154,7 +155,12 @@ public final class MeshObject extends PlacedObject<MeshObject> implements Geomet
         return triangles.faces();
     }
 
-    /** The triangles that the faces are made of, shared by all placements. */
+    /**
+     * The triangles that the faces are made of, shared by all placements: for the other packages of this module.
+     *
+     * @hidden
+     */
+    @SuppressWarnings({"exports", "InvalidBlockTag"}) // users of the module cannot see the type
     public TriangleMesh triangles() {
         return triangles;
     }

@@ -45,6 +45,12 @@ public abstract class PlacedObject<S extends GeometryObject> {
         return SerialForms.classes();
     }
 
+    /** For internal use: the shape of an object with another name, mobility, material and pose. */
+    public static GeometryObject like(
+            GeometryObject object, @Nullable String name, boolean moveable, Material material, Pose pose) {
+        return ((PlacedObject<?>) object).with(new Tag(name, moveable, material), pose);
+    }
+
     /** The same shape with another tag and pose. */
     abstract S with(Tag newTag, Pose newPose);
 

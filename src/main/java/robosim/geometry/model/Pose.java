@@ -128,7 +128,7 @@ public final class Pose {
      *
      * @throws IllegalArgumentException if no pose has these numbers
      */
-    static Pose checked(double[] places, int at) {
+    public static Pose checked(double[] places, int at) {
         Pose pose = of(places, at);
         double[] given = pose.attitude;
         double heading = Attitude.heading(given, 0);

@@ -1,6 +1,5 @@
 package robosim.geometry.model;
 
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 
@@ -14,15 +13,23 @@ import robosim.geometry.check.Checks;
  * SenseOptions camera = SenseOptions.range(0.3, 10).withThreads(4);
  * camera.threads(); // 4
  * }</pre>
+ *
+ * @param min         blind range in world units
+ * @param max         range in world units; may be infinite
+ * @param width       full opening angle of each beam in degrees; 0 for rays
+ * @param carrier     whether the sensor sees the object that carries it
+ * @param threads     how many threads may work on the answer
+ * @param motion      how the sensor moves during the scan; null if it stands still
+ * @param seesHeights whether the beams see heights in a PLANAR world too, whichever way they look
  */
-public final class SenseOptions {
-    private final double min;
-    private final double max;
-    private final double width;
-    private final Carrier carrier;
-    private final int threads;
-    private final @Nullable Twist motion;
-    private final boolean heights;
+public record SenseOptions(
+        double min,
+        double max,
+        double width,
+        Carrier carrier,
+        int threads,
+        @Nullable Twist motion,
+        boolean seesHeights) {
 
     /** Whether a sensor sees the object that carries it. */
     public enum Carrier {
@@ -32,21 +39,14 @@ public final class SenseOptions {
         SEEN
     }
 
-    private SenseOptions(
-            double min,
-            double max,
-            double width,
-            Carrier carrier,
-            int threads,
-            @Nullable Twist motion,
-            boolean heights) {
-        this.min = min;
-        this.max = max;
-        this.width = width;
-        this.carrier = carrier;
-        this.threads = threads;
-        this.motion = motion;
-        this.heights = heights;
+    /** Refuses null, and numbers that are out of range. */
+    public SenseOptions {
+        Checks.range(min, max);
+        min += 0.0;
+        max += 0.0;
+        width = Checks.width(width) + 0.0;
+        Checks.present("carrier", carrier);
+        Checks.threads(threads);
     }
 
     /**
@@ -56,8 +56,7 @@ public final class SenseOptions {
      * @param max range, world units, {@code min <= max}; may be infinite
      */
     public static SenseOptions range(double min, double max) {
-        Checks.range(min, max);
-        return new SenseOptions(min + 0.0, max + 0.0, 0, Carrier.IGNORED, 1, null, false);
+        return new SenseOptions(min, max, 0, Carrier.IGNORED, 1, null, false);
     }
 
     /**
@@ -66,12 +65,12 @@ public final class SenseOptions {
      * @param degrees full opening angle of each beam, from 0 (a ray) up to, not including, 180
      */
     public SenseOptions withWidth(double degrees) {
-        return new SenseOptions(min, max, Checks.width(degrees) + 0.0, carrier, threads, motion, heights);
+        return new SenseOptions(min, max, degrees, carrier, threads, motion, seesHeights);
     }
 
     /** These options for a sensor that sees or does not see the object that carries it. */
     public SenseOptions withCarrier(Carrier seen) {
-        return new SenseOptions(min, max, width, Checks.present("carrier", seen), threads, motion, heights);
+        return new SenseOptions(min, max, width, seen, threads, motion, seesHeights);
     }
 
     /**
@@ -81,7 +80,7 @@ public final class SenseOptions {
      * @param count 1 to 1024
      */
     public SenseOptions withThreads(int count) {
-        return new SenseOptions(min, max, width, carrier, Checks.threads(count), motion, heights);
+        return new SenseOptions(min, max, width, carrier, count, motion, seesHeights);
     }
 
     /**
@@ -93,18 +92,17 @@ public final class SenseOptions {
      * <p>The object that carries the sensor must be {@link Carrier#IGNORED}.
      */
     public SenseOptions withMotion(Twist velocity) {
-        return new SenseOptions(min, max, width, carrier, threads, Checks.present("velocity", velocity), heights);
+        return new SenseOptions(min, max, width, carrier, threads, Checks.present("velocity", velocity), seesHeights);
     }
 
     /** These options for a sensor that stands still during the scan. */
     public SenseOptions withoutMotion() {
-        return new SenseOptions(min, max, width, carrier, threads, null, heights);
+        return new SenseOptions(min, max, width, carrier, threads, null, seesHeights);
     }
 
     /** These options with other ranges, as in {@link #range}. */
     public SenseOptions withRange(double least, double most) {
-        Checks.range(least, most);
-        return new SenseOptions(least + 0.0, most + 0.0, width, carrier, threads, motion, heights);
+        return new SenseOptions(least, most, width, carrier, threads, motion, seesHeights);
     }
 
     /**
@@ -113,63 +111,5 @@ public final class SenseOptions {
      */
     public SenseOptions withHeights() {
         return new SenseOptions(min, max, width, carrier, threads, motion, true);
-    }
-
-    /** Blind range in world units. */
-    public double min() {
-        return min;
-    }
-
-    /** Range in world units; may be infinite. */
-    public double max() {
-        return max;
-    }
-
-    /** Full opening angle of each beam in degrees; 0 for rays. */
-    public double width() {
-        return width;
-    }
-
-    /** Whether the sensor sees the object that carries it. */
-    public Carrier carrier() {
-        return carrier;
-    }
-
-    /** How many threads may work on the answer. */
-    public int threads() {
-        return threads;
-    }
-
-    /** How the sensor moves during the scan; null if it stands still. */
-    public @Nullable Twist motion() {
-        return motion;
-    }
-
-    /** Whether the beams see heights in a PLANAR world too, whichever way they look. */
-    public boolean seesHeights() {
-        return heights;
-    }
-
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof SenseOptions that
-                && min == that.min
-                && max == that.max
-                && width == that.width
-                && carrier == that.carrier
-                && threads == that.threads
-                && heights == that.heights
-                && Objects.equals(motion, that.motion);
-    }
-
-    @Override
-    public int hashCode() {
-        return Objects.hash(min, max, width, carrier.name(), threads, motion, heights);
-    }
-
-    @Override
-    public String toString() {
-        return "SenseOptions[min=" + min + ", max=" + max + ", width=" + width + ", carrier=" + carrier + ", threads="
-                + threads + (motion == null ? "" : ", motion=" + motion) + (heights ? ", with heights]" : "]");
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
 

@@ -10,7 +10,7 @@
  *   <li>{@link GeometryObject}: an object of a world; its kinds:
  *   <li>{@link BoxObject}: a box; {@link CylinderObject}, {@link SphereObject} and {@link CapsuleObject} are the
  *       other primitives
- *   <li>{@link MeshObject}: triangles and quads, with their {@link TriangleMesh}
+ *   <li>{@link MeshObject}: triangles and quads
  *   <li>{@link GridObject}: the occupied cells of a map
  *   <li>{@link ObjectGroup}: several objects as one
  *   <li>{@link Bounds}: a box that encloses an object

@@ -7,6 +7,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.proof.Proof.Flaw;
+import robosim.geometry.proof.Witness.Anchor;
 import robosim.geometry.proof.Witness.Contact;
 import robosim.geometry.proof.Witness.Form;
 
@@ -85,8 +86,12 @@ final class ContactSearch {
         if ((mine.length == 17 && mine[15] > 0) || (theirs.length == 17 && theirs[15] > 0)) {
             inner(mine, theirs, common);
             point(i, j, common[0], common[1], common[2], all);
-            chord(i, mine, j, theirs, common, Form.MY_CHORD, d, all);
-            chord(i, theirs, j, mine, common, Form.THEIR_CHORD, new double[3], all);
+            for (List<Anchor> ends : chord(mine, theirs, common, d)) {
+                all.add(new Contact(i, j, Form.MY_CHORD, List.of(), new Point(), ends));
+            }
+            for (List<Anchor> ends : chord(theirs, mine, common, new double[3])) {
+                all.add(new Contact(i, j, Form.THEIR_CHORD, List.of(), new Point(), ends));
+            }
         }
         return all;
     }
@@ -95,27 +100,21 @@ final class ContactSearch {
         all.add(new Contact(i, j, Form.POINT, List.of(), new Point(x, y, z), List.of()));
     }
 
-    /** A segment through the plane of a triangle. */
-    private static void chord(
-            int i, double[] of, int j, double[] other, double[] x, Form form, double[] moved, List<Contact> all) {
+    /** The ends of a segment of a piece through the plane of the other, if that is a triangle or a disc; else nothing. */
+    private static List<List<Anchor>> chord(double[] of, double[] other, double[] x, double[] moved) {
         boolean isDisc = !Rows.isTriangle(other) && other[15] > 0 && other[13] == 0;
-        if ((Rows.isTriangle(other) || isDisc) && !Rows.isTriangle(of)) {
-            double[] n = isDisc ? new double[] {other[4], other[7], other[10]} : normal(other);
-            double size = CHORD * (Rows.size(of) + Rows.size(other));
-            double[] unmoved = ContactSearch.moved(of, new double[] {-moved[0], -moved[1], -moved[2]});
-            double[][] ends = new double[2][3];
-            for (int k = 0; k < 3; k++) {
-                ends[0][k] = x[k] - moved[k] - size * n[k];
-                ends[1][k] = x[k] - moved[k] + size * n[k];
-            }
-            all.add(new Contact(
-                    i,
-                    j,
-                    form,
-                    List.of(),
-                    new Point(),
-                    List.of(NearSearch.anchor(unmoved, ends[0]), NearSearch.anchor(unmoved, ends[1]))));
+        if ((!Rows.isTriangle(other) && !isDisc) || Rows.isTriangle(of)) {
+            return List.of();
         }
+        double[] n = isDisc ? new double[] {other[4], other[7], other[10]} : normal(other);
+        double size = CHORD * (Rows.size(of) + Rows.size(other));
+        double[] unmoved = moved(of, new double[] {-moved[0], -moved[1], -moved[2]});
+        double[][] ends = new double[2][3];
+        for (int k = 0; k < 3; k++) {
+            ends[0][k] = x[k] - moved[k] - size * n[k];
+            ends[1][k] = x[k] - moved[k] + size * n[k];
+        }
+        return List.of(List.of(NearSearch.anchor(unmoved, ends[0]), NearSearch.anchor(unmoved, ends[1])));
     }
 
     private static double[] normal(double[] row) {

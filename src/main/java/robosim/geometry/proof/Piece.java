@@ -3,6 +3,7 @@ package robosim.geometry.proof;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
@@ -10,7 +11,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.TriangleMesh;
 
 /**
  * A convex piece of an object as the doubles that are stored: a triangle of nine, or a box that is widened by a disc about its own Y

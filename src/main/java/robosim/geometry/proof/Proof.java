@@ -2,12 +2,41 @@ package robosim.geometry.proof;
 
 import robosim.geometry.check.Checks;
 
-/** A claim and what it can be checked with: {@link ProofChecker} decides whether it holds. */
-public record Proof(Claim claim, Witness witness) {
-    /** Refuses null. */
-    public Proof {
-        Checks.present("claim", claim);
-        Checks.present("witness", witness);
+/**
+ * A claim and what it can be checked with: {@link ProofChecker} decides whether it holds, and so can a program in another language,
+ * which reads {@link ProofJson}.
+ */
+public final class Proof {
+    private final Claim claim;
+    private final Witness witness;
+
+    Proof(Claim claim, Witness witness) {
+        this.claim = Checks.present("claim", claim);
+        this.witness = Checks.present("witness", witness);
+    }
+
+    /** What is proved. */
+    public Claim claim() {
+        return claim;
+    }
+
+    Witness witness() {
+        return witness;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Proof that && claim.equals(that.claim) && witness.equals(that.witness);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * claim.hashCode() + witness.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return "Proof[claim=" + claim + ", witness=" + witness + "]";
     }
 
     /** Where a proof fails. */

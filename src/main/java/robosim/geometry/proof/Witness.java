@@ -14,10 +14,10 @@ import robosim.geometry.model.Point;
  * @param outsides why pieces are not inside solid meshes
  * @param reach    of a ray, the parameter up to which it is free: at least its {@code low} over the direction's length
  */
-public record Witness(
+record Witness(
         List<Point> common, List<Slab> slabs, @Nullable Contact contact, List<Outside> outsides, double reach) {
     /** Copies the lists. */
-    public Witness {
+    Witness {
         common = List.copyOf(common);
         slabs = List.copyOf(slabs);
         outsides = List.copyOf(outsides);
@@ -30,10 +30,10 @@ public record Witness(
      *
      * @param along of a cylinder that turns, a number that its axis' product with the normal is never nearer to 0 than; else 0
      */
-    public record Slab(int mine, int theirs, double from, double to, Point normal, double along) {}
+    record Slab(int mine, int theirs, double from, double to, Point normal, double along) {}
 
     /** How a {@link Contact} is to be read. */
-    public enum Form {
+    enum Form {
         /** {@code point} is in both pieces. */
         POINT,
         /** The segment between two {@code corners} of the body's piece meets the other piece; what is round is added to that. */
@@ -63,9 +63,9 @@ public record Witness(
      * @param point   a point or a direction, as the form says
      * @param anchors two points, as the form says
      */
-    public record Contact(int mine, int theirs, Form form, List<Integer> corners, Point point, List<Anchor> anchors) {
+    record Contact(int mine, int theirs, Form form, List<Integer> corners, Point point, List<Anchor> anchors) {
         /** Copies the lists. */
-        public Contact {
+        Contact {
             corners = List.copyOf(corners);
             anchors = List.copyOf(anchors);
         }
@@ -75,11 +75,11 @@ public record Witness(
      * A point of a piece: its centre, {@code at} times the half sizes along the own axes, each from -1 to 1, and an offset within
      * its disc or ball. Of a triangle: the first corner, and at.x and at.y times the sides to the second and the third.
      */
-    public record Anchor(Point at, Point offset) {}
+    record Anchor(Point at, Point offset) {}
 
     /**
      * The first corner of a piece is not inside a solid mesh, whose first piece is given: in some direction, which passes no edge,
      * it has an even number of triangles before it.
      */
-    public record Outside(int mine, int theirs, boolean isTheirsSolid, Point direction) {}
+    record Outside(int mine, int theirs, boolean isTheirsSolid, Point direction) {}
 }

@@ -5,9 +5,10 @@
  *
  * <ul>
  *   <li>{@link Claim}: what is proved
- *   <li>{@link Witness}: directions of planes, common points, near points
  *   <li>{@link Scene}: the objects that it is about
- *   <li>{@link Proof}, {@link Attempt}: a claim with its witness; or a reason why none was found
+ *   <li>{@link Proof}, {@link Attempt}: a claim with its witness (directions of planes, common or near points); or a reason why
+ *       none was found
+ *   <li>{@link ProofJson}: a proof and its scene for programs in other languages
  *   <li>{@link ProofChecker}: decides whether a proof holds
  *   <li>{@link Prover}: looks for proofs; {@link robosim.geometry.Geometry#prove} does it for the answers of a world
  * </ul>

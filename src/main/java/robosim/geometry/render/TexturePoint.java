@@ -1,10 +1,10 @@
 package robosim.geometry.render;
 
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
-import robosim.geometry.model.TriangleMesh;
 
 /** Where a point of a surface lies in the plane of its texture, as {@link robosim.geometry.material.Texture} defines it. */
 final class TexturePoint {

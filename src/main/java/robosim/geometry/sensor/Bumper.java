@@ -2,7 +2,6 @@ package robosim.geometry.sensor;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -52,24 +51,22 @@ import robosim.geometry.model.SphereObject;
  * contact.other();                                      // "crate"
  * ring.bearing(arena, contact);                         // 0.0: straight ahead
  * }</pre>
+ *
+ * @param name  of the object that has the bumper
+ * @param shape of the bumper, in the object's own frame; null for the object itself
  */
-public final class Bumper {
+public record Bumper(String name, @Nullable GeometryObject shape) {
     /** The cosine of the angle to the vertical within which a contact is below or above an object. */
     private static final double BELOW = 0.5;
 
-    private final String name;
-
-    /** In the object's own frame; null for the object itself. */
-    private final @Nullable GeometryObject shape;
-
-    private Bumper(String name, @Nullable GeometryObject shape) {
-        this.name = name;
-        this.shape = shape;
+    /** Refuses a name that no object can have. */
+    public Bumper {
+        Checks.name(name);
     }
 
     /** A bumper all over an object: its own surface. */
     public static Bumper on(String name) {
-        return new Bumper(Checks.name(name), null);
+        return new Bumper(name, null);
     }
 
     /**
@@ -241,16 +238,6 @@ public final class Bumper {
         return pose.rotation(axis) * vector.x()
                 + pose.rotation(3 + axis) * vector.y()
                 + pose.rotation(6 + axis) * vector.z();
-    }
-
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof Bumper that && name.equals(that.name) && Objects.equals(shape, that.shape);
-    }
-
-    @Override
-    public int hashCode() {
-        return 31 * name.hashCode() + Objects.hashCode(shape);
     }
 
     @Override

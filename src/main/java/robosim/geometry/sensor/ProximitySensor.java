@@ -16,20 +16,24 @@ import robosim.geometry.sensor.effects.NoisyFrame;
  * near.read(world);                               // 1.0
  * ProximitySensor.on("robot", 0.5).read(world);   // Infinity: nothing is within half a unit
  * }</pre>
+ *
+ * @param name   of the object that has the sensor
+ * @param max    range in world units; may be infinite
+ * @param noise  which must need neither normals nor cones; {@link Noise#NONE} for none
+ * @param seed   of a whole run, for the noise
+ * @param sensor tells the sensors of a run apart, any number
  */
-public final class ProximitySensor {
-    private final String name;
-    private final double max;
-    private final Noise noise;
-    private final long seed;
-    private final long sensor;
-
-    private ProximitySensor(String name, double max, Noise noise, long seed, long sensor) {
-        this.name = name;
-        this.max = max;
-        this.noise = noise;
-        this.seed = seed;
-        this.sensor = sensor;
+public record ProximitySensor(String name, double max, Noise noise, long seed, long sensor) {
+    /** Refuses null, and what is out of range. */
+    public ProximitySensor {
+        Checks.name(name);
+        Checks.range(0, max);
+        max += 0.0;
+        if (Checks.present("noise", noise).needsIncidence()) {
+            throw new IllegalArgumentException(
+                    "noise of a proximity sensor must not need the normals of rays, as grazing and"
+                            + " mixedPixels do (got: " + noise + ")");
+        }
     }
 
     /**
@@ -38,8 +42,7 @@ public final class ProximitySensor {
      * @param max range in world units; may be infinite
      */
     public static ProximitySensor on(String name, double max) {
-        Checks.range(0, max);
-        return new ProximitySensor(Checks.name(name), max + 0.0, Noise.NONE, 0, 0);
+        return new ProximitySensor(name, max, Noise.NONE, 0, 0);
     }
 
     /**
@@ -49,11 +52,6 @@ public final class ProximitySensor {
      * @param itsSensor tells the sensors of a run apart, any number
      */
     public ProximitySensor withNoise(Noise given, long itsSeed, long itsSensor) {
-        if (Checks.present("noise", given).needsIncidence()) {
-            throw new IllegalArgumentException(
-                    "noise of a proximity sensor must not need the normals of rays, as grazing and"
-                            + " mixedPixels do (got: " + given + ")");
-        }
         return new ProximitySensor(name, max, given, itsSeed, itsSensor);
     }
 
@@ -93,21 +91,6 @@ public final class ProximitySensor {
         noise.apply(seed, sensor, frame, measured);
         measured.clamp();
         return measured.distances[0];
-    }
-
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof ProximitySensor that
-                && name.equals(that.name)
-                && max == that.max
-                && noise.equals(that.noise)
-                && seed == that.seed
-                && sensor == that.sensor;
-    }
-
-    @Override
-    public int hashCode() {
-        return 31 * (31 * name.hashCode() + Double.hashCode(max)) + noise.hashCode();
     }
 
     @Override

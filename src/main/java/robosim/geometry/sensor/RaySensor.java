@@ -1,9 +1,9 @@
 package robosim.geometry.sensor;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.Snapshot;
+import robosim.geometry.WorldQueries;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
@@ -131,45 +131,23 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     }
 
     /** Reads a sensor without noise. One with noise must be told the number of the frame. */
-    public void read(Geometry world, F out) {
-        checkPlain();
-        read(world, 0, out);
-    }
-
-    /** Reads a sensor without noise. */
-    public void read(Snapshot world, F out) {
-        checkPlain();
-        read(world, 0, out);
-    }
-
-    /**
-     * Reads the sensor.
-     *
-     * @param frame the number of the reading, which the noise depends on; count them as the simulation goes on
-     */
-    public void read(Geometry world, long frame, F out) {
-        read(Checks.present("world", world), null, frame, out);
-    }
-
-    /**
-     * Reads the sensor, on as many threads as it may take. Safe to call from many threads at once, each with a frame of its
-     * own.
-     *
-     * @param frame the number of the reading, which the noise depends on
-     */
-    public void read(Snapshot world, long frame, F out) {
-        read(null, Checks.present("world", world), frame, out);
-    }
-
-    private void checkPlain() {
+    public void read(WorldQueries world, F out) {
         if (!setup.noise().isNone()) {
             throw new IllegalArgumentException(
                     "a sensor with noise must be told the number of its frame, as in read(world, 17, out)"
                             + " (got: none; the noise is " + setup.noise() + ")");
         }
+        read(world, 0, out);
     }
 
-    private void read(@Nullable Geometry world, @Nullable Snapshot snapshot, long frame, F out) {
+    /**
+     * Reads the sensor: a world on the calling thread, a {@link Snapshot} on as many threads as the sensor may take. A snapshot
+     * may be read by many threads at once, each with a frame of its own.
+     *
+     * @param frame the number of the reading, which the noise depends on; count them as the simulation goes on
+     */
+    public void read(WorldQueries world, long frame, F out) {
+        Checks.present("world", world);
         Checks.present("out", out);
         boolean needsIncidence = setup.noise().needsIncidence();
         out.prepare(
@@ -177,27 +155,18 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
                 needs(SenseBuffer.Extra.PARTS, out),
                 needs(SenseBuffer.Extra.NORMALS, out) || needsIncidence,
                 setup.options().width() > 0);
-        sense(world, snapshot, setup.asked().rays(), out.buffer());
+        setup.mounting().sense(world, setup.pattern(), setup.asked().rays(), out.buffer());
         out.filled(setup, frame);
         if (!setup.noise().isNone()) {
             boolean isFlat = out.buffer().dimension() == Dimension.PLANAR;
             SenseOptions cones = isFlat ? setup.asked().cones() : setup.asked().tall();
             if (cones != null) {
-                sense(world, snapshot, cones, out.cones());
+                setup.mounting().sense(world, setup.pattern(), cones, out.cones());
             }
         }
         out.measure(setup);
         finish(out);
         out.finished();
-    }
-
-    private void sense(
-            @Nullable Geometry world, @Nullable Snapshot snapshot, SenseOptions options, SenseBuffer buffer) {
-        if (world != null) {
-            setup.mounting().sense(world, setup.pattern(), options, buffer);
-        } else if (snapshot != null) {
-            setup.mounting().sense(snapshot, setup.pattern(), options, buffer);
-        }
     }
 
     @Override

@@ -86,7 +86,7 @@ final class ObjWriter {
                 out.flush();
             });
         } catch (IOException e) {
-            throw new WorldException(new FileProblem(file.toString(), 0, 0, "the file could not be written: " + e, e));
+            throw new WorldException(new FileProblem(file.toString(), "the file could not be written: " + e, e));
         }
     }
 

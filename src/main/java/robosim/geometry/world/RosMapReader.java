@@ -85,7 +85,7 @@ final class RosMapReader {
         } catch (FileProblem e) {
             throw new WorldException(e);
         } catch (IllegalArgumentException e) {
-            throw new WorldException(new FileProblem(yaml.toString(), 0, 0, String.valueOf(e.getMessage()), e));
+            throw new WorldException(new FileProblem(yaml.toString(), String.valueOf(e.getMessage()), e));
         }
     }
 

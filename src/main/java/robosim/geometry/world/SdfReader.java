@@ -85,7 +85,7 @@ final class SdfReader {
         } catch (FileProblem e) {
             throw new WorldException(e);
         } catch (IllegalArgumentException e) {
-            throw new WorldException(new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e));
+            throw new WorldException(new FileProblem(file.toString(), String.valueOf(e.getMessage()), e));
         }
     }
 

@@ -113,7 +113,7 @@ public record WorldImport(
             String other = e.source().equals(file.toString()) ? FileKind.other(file, readAs) : null;
             throw other == null
                     ? e
-                    : new WorldException(new FileProblem(file.toString(), 0, 0, other + " (got: " + name + ")", e));
+                    : new WorldException(new FileProblem(file.toString(), other + " (got: " + name + ")", e));
         }
     }
 
@@ -142,27 +142,23 @@ public record WorldImport(
     private static void refuseByName(Path file, String ending) throws WorldException {
         String other = FileKind.byEnding(ending);
         if (other != null) {
-            throw new WorldException(new FileProblem(file.toString(), 0, 0, other + " (got: ." + ending + ")"));
+            throw new WorldException(new FileProblem(file.toString(), other + " (got: ." + ending + ")"));
         }
         switch (ending) {
             case "xacro" -> {
                 String name = String.valueOf(file.getFileName());
                 throw new WorldException(new FileProblem(
                         file.toString(),
-                        0,
-                        0,
                         "macros are not carried out; run the file through xacro first: xacro " + name + " > "
                                 + (name.contains(".sdf.") || name.contains(".world.") ? "NEW.sdf" : "NEW.urdf")
                                 + " (got: .xacro)"));
             }
             case "pgm", "png" ->
                 throw new WorldException(new FileProblem(
-                        file.toString(), 0, 0, "a map is read from its .yaml file, which gives the size of a cell"));
+                        file.toString(), "a map is read from its .yaml file, which gives the size of a cell"));
             case "fbx", "gz", "zip" ->
                 throw new WorldException(new FileProblem(
                         file.toString(),
-                        0,
-                        0,
                         "files of this format are not supported; unpack this one, or export it as SDFormat,"
                                 + " glTF, COLLADA, OBJ or STL (got: ." + ending + ")"));
             default -> {}
@@ -179,8 +175,6 @@ public record WorldImport(
         shown(reasons, read.remarks, MOST_REASONS);
         throw new WorldException(new FileProblem(
                 file.toString(),
-                0,
-                0,
                 "nothing in it is solid, so the world would be empty; check that its models have collisions and"
                         + " that they are found (got: " + counted(read.read)
                         + (reasons.isEmpty() ? "" : "; " + String.join("; ", reasons)) + ")"));
@@ -260,7 +254,7 @@ public record WorldImport(
         } catch (FileProblem e) {
             throw new WorldException(e);
         } catch (IllegalArgumentException e) {
-            throw new WorldException(new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e));
+            throw new WorldException(new FileProblem(file.toString(), String.valueOf(e.getMessage()), e));
         }
     }
 

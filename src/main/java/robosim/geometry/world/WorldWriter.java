@@ -71,15 +71,13 @@ public final class WorldWriter {
         if (bytes.length == 0) {
             throw new WorldException(new FileProblem(
                     file.toString(),
-                    0,
-                    0,
                     "a world file must have at most " + most + " bytes, or it could not be read back; write an .obj"
                             + " file instead, or keep large meshes in separate files (got: more)"));
         }
         try {
             AtomicFileWriter.write(file, out -> out.write(bytes));
         } catch (IOException e) {
-            throw new WorldException(new FileProblem(file.toString(), 0, 0, "the file could not be written: " + e, e));
+            throw new WorldException(new FileProblem(file.toString(), "the file could not be written: " + e, e));
         }
     }
 

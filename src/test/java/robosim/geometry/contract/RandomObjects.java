@@ -16,7 +16,7 @@ import robosim.geometry.model.SphereObject;
  * Objects of all six shapes: upright, turned and tipped, some flat or empty, half of them on a grid of eighths, where
  * things touch exactly.
  */
-final class RandomObjects {
+public final class RandomObjects {
     /** Two triangles a side, corners as bits: 1 for X, 2 for Y, 4 for Z. */
     private static final int[][] BOX_TRIANGLES = {
         {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
@@ -32,7 +32,7 @@ final class RandomObjects {
     private final double rise;
 
     /** Objects of sizes about 1 with centres up to {@code spread} from the origin. */
-    RandomObjects(SplittableRandom random, double spread) {
+    public RandomObjects(SplittableRandom random, double spread) {
         this(random, spread, 0.25);
     }
 
@@ -43,12 +43,12 @@ final class RandomObjects {
         this.spread = spread;
     }
 
-    GeometryObject next() {
+    public GeometryObject next() {
         return placed(shape(0), spread);
     }
 
     /** A box, cylinder, sphere or capsule. */
-    GeometryObject primitive() {
+    public GeometryObject primitive() {
         return placed(simple(random.nextInt(4)), spread);
     }
 
@@ -69,12 +69,12 @@ final class RandomObjects {
         };
     }
 
-    Point place() {
+    public Point place() {
         return place(spread);
     }
 
     /** A direction of any length but zero, now and then along an axis or a diagonal. */
-    Point direction() {
+    public Point direction() {
         while (true) {
             Point direction = random.nextInt(4) == 0
                     ? new Point(random.nextInt(-1, 2), random.nextInt(-1, 2), random.nextInt(-1, 2))

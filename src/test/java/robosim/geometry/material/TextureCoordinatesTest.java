@@ -9,9 +9,9 @@ import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.TriangleMesh;
 
 class TextureCoordinatesTest {
     private static final double[] POINTS = {0, 0, 1, 0, 1, 1, 0, 1, -3.5, 0.25};

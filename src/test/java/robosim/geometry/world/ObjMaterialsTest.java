@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.image.PngWriter;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
@@ -26,7 +27,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TriangleMesh;
 
 /** Materials and texture coordinates of OBJ files and their MTL files, read and written. */
 class ObjMaterialsTest {

@@ -44,10 +44,9 @@ public final class CloudOptions {
         int samples = camera.samples();
         int width = camera.width() * samples;
         int height = camera.height() * samples;
-        int[] pixels = new int[width * height];
-        Arrays.fill(pixels, PictureStyle.NOTHING);
-        double[] nearest = new double[pixels.length];
-        Arrays.fill(nearest, Double.POSITIVE_INFINITY);
+        Raster raster = new Raster(width, new int[width * height], new double[width * height]);
+        Arrays.fill(raster.pixels, PictureStyle.NOTHING);
+        Arrays.fill(raster.nearest, Double.POSITIVE_INFINITY);
         double[] heights = new double[cloud.size()];
         for (int k = 0; k < heights.length; k++) {
             heights[k] = cloud.y(k);
@@ -78,22 +77,29 @@ public final class CloudOptions {
                     bright);
             double radius =
                     Math.min(MOST_RADIUS * samples, Math.max(0.5, RADIUS * focal * studio.depth(camera) / ahead));
-            dot(x, y, radius, ahead, colour, width, pixels, nearest);
+            raster.dot(x, y, radius, ahead, colour);
         }
-        return PictureStyle.means(pixels, camera.width(), camera.height(), samples);
+        return PictureStyle.means(raster.pixels, camera.width(), camera.height(), samples);
     }
 
-    private static void dot(
-            double x, double y, double radius, double ahead, int colour, int width, int[] pixels, double[] nearest) {
-        int height = pixels.length / width;
-        for (int row = (int) Math.max(0, y - radius); row <= Math.min(height - 1, y + radius); row++) {
-            for (int column = (int) Math.max(0, x - radius); column <= Math.min(width - 1, x + radius); column++) {
-                double dx = column + 0.5 - x;
-                double dy = row + 0.5 - y;
-                int at = row * width + column;
-                if (dx * dx + dy * dy <= radius * radius && ahead < nearest[at]) {
-                    nearest[at] = ahead;
-                    pixels[at] = colour;
+    /**
+     * Colours of samples.
+     *
+     * @param nearest how far ahead what a sample shows is
+     */
+    @SuppressWarnings("ArrayRecordComponent") // is never compared
+    private record Raster(int width, int[] pixels, double[] nearest) {
+        void dot(double x, double y, double radius, double ahead, int colour) {
+            int height = pixels.length / width;
+            for (int row = (int) Math.max(0, y - radius); row <= Math.min(height - 1, y + radius); row++) {
+                for (int column = (int) Math.max(0, x - radius); column <= Math.min(width - 1, x + radius); column++) {
+                    double dx = column + 0.5 - x;
+                    double dy = row + 0.5 - y;
+                    int at = row * width + column;
+                    if (dx * dx + dy * dy <= radius * radius && ahead < nearest[at]) {
+                        nearest[at] = ahead;
+                        pixels[at] = colour;
+                    }
                 }
             }
         }

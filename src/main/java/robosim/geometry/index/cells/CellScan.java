@@ -21,22 +21,19 @@ public final class CellScan {
     @SuppressWarnings("NullAway.Init") // a scan starts with its map
     public CellScan() {}
 
+    /** Takes a map to scan; returns this scan, which is to be started. */
+    public CellScan over(ClearanceMap of) {
+        map = of;
+        return this;
+    }
+
     /** Begins a scan of all cells that a rectangle may touch; the slack is more than any error of a coordinate. */
-    public void start(ClearanceMap map, double lowU, double lowV, double highU, double highV, double slack) {
-        start(map, lowU, lowV, highU, highV, 0, 0, slack);
+    public void start(double lowU, double lowV, double highU, double highV, double slack) {
+        start(lowU, lowV, highU, highV, 0, 0, slack);
     }
 
     /** The same for one that moves straight by (du, dv). */
-    public void start(
-            ClearanceMap map,
-            double lowU,
-            double lowV,
-            double highU,
-            double highV,
-            double du,
-            double dv,
-            double slack) {
-        this.map = map;
+    public void start(double lowU, double lowV, double highU, double highV, double du, double dv, double slack) {
         this.lowU = lowU;
         this.lowV = lowV;
         this.highU = highU;

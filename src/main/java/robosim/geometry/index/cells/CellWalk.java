@@ -54,6 +54,12 @@ public final class CellWalk {
     @SuppressWarnings("NullAway.Init") // a walk starts with its map
     public CellWalk() {}
 
+    /** Takes a map to walk on; returns this walk, which is to be started. */
+    public CellWalk over(ClearanceMap of) {
+        map = of;
+        return this;
+    }
+
     /**
      * Begins a walk.
      *
@@ -63,9 +69,7 @@ public final class CellWalk {
      * @param to    where to end at the latest
      * @param slack more than the error of any of its coordinates; below 1/8
      */
-    public void start(
-            ClearanceMap map, double u, double v, double du, double dv, double from, double to, double slack) {
-        this.map = map;
+    public void start(double u, double v, double du, double dv, double from, double to, double slack) {
         this.u = u;
         this.v = v;
         this.du = du;

@@ -6,11 +6,11 @@ import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.exact.WorkCounter;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.TriangleMesh;
 
 /**
  * The single leaf that stands for an object at an accuracy other than EXACT. Every enclosure is rounded outward by more

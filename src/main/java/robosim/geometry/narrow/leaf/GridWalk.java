@@ -103,7 +103,7 @@ public final class GridWalk {
         double hu = cells.halfU(hx, hz);
         double hv = cells.halfV(hx, hz);
         slack = cells.slack(Math.abs(x) + Math.abs(z) + hx + hz + Math.abs(dx) + Math.abs(dz));
-        scan.start(cells.map, u - hu, v - hv, u + hu, v + hv, cells.du(dx, dz), cells.dv(dx, dz), slack);
+        scan.over(cells.map).start(u - hu, v - hv, u + hu, v + hv, cells.du(dx, dz), cells.dv(dx, dz), slack);
     }
 
     /** The number of the next cell that may touch the box; -1 if there is none. */
@@ -205,15 +205,15 @@ public final class GridWalk {
         isBlind = !(slack < 0x1p-3);
         nextBlind = 0;
         if (!isBlind) {
-            line.start(
-                    cells.map,
-                    cells.u(x, z),
-                    cells.v(x, z),
-                    cells.du(ux, uz),
-                    cells.dv(ux, uz),
-                    from,
-                    Math.min(to, limit * (1 + 0x1p-40)),
-                    slack);
+            line.over(cells.map)
+                    .start(
+                            cells.u(x, z),
+                            cells.v(x, z),
+                            cells.du(ux, uz),
+                            cells.dv(ux, uz),
+                            from,
+                            Math.min(to, limit * (1 + 0x1p-40)),
+                            slack);
         }
     }
 

@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.index.cells.PlacedCells;
 import robosim.geometry.index.meshes.BoxTree;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.index.tiles.OrientedRectangle;
-import robosim.geometry.model.TriangleMesh;
 
 /**
  * An array of leaves: for each a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles. The column

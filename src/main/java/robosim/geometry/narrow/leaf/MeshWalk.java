@@ -3,7 +3,7 @@ package robosim.geometry.narrow.leaf;
 import java.util.Arrays;
 import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.meshes.BoxTree;
-import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.index.meshes.TriangleMesh;
 
 /**
  * Walks the triangles of a placed mesh that may be relevant for a region or a nearest distance, nearest first.

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.mesh;
 
 import java.util.Arrays;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.distance.ContactPoint;
 import robosim.geometry.narrow.distance.DistanceScratch;
 import robosim.geometry.narrow.leaf.BoxGap;

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.mesh;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafScratch;

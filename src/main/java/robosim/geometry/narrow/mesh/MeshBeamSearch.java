@@ -3,7 +3,7 @@ package robosim.geometry.narrow.mesh;
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.index.meshes.BoxTree;
-import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.MeshWalk;

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.index.meshes.BoxTree;
-import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.MeshWalk;

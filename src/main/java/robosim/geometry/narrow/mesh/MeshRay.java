@@ -2,8 +2,8 @@ package robosim.geometry.narrow.mesh;
 
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.index.meshes.BoxTree;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.index.meshes.WideTree;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.MeshWalk;

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.mesh;
 
 import robosim.geometry.exact.Orientation;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;

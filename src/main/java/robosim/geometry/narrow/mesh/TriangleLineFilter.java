@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.mesh;
 
 import robosim.geometry.exact.FilterBound;
-import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.index.meshes.TriangleMesh;
 
 /**
  * Rules out the triangles that a line certainly misses, or certainly meets farther away than another one; the others are

@@ -143,7 +143,7 @@ public final class PlainCells {
         double way = Math.sqrt(du * du + dv * dv);
         normalU = way > 0 ? dv / way : 0;
         normalV = way > 0 ? -du / way : 0;
-        scan.start(cells.map, u - reachU, v - reachV, u + reachU, v + reachV, du, dv, scanned);
+        scan.over(cells.map).start(u - reachU, v - reachV, u + reachU, v + reachV, du, dv, scanned);
         return true;
     }
 

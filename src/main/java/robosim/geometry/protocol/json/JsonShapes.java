@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.material.Color;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
@@ -23,7 +23,6 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.protocol.MessageLimits;
 
 /** Objects and their materials as JSON. */
@@ -54,7 +53,7 @@ final class JsonShapes {
             },
             TEXTURES::write);
 
-    private static final JsonObject<Material> MATERIAL = JsonObject.of(Surface.class)
+    private static final JsonObject<Material> MATERIAL = JsonObject.of(Material.class)
             .omitting(Material.DEFAULT.color(), "color")
             .omitting(Material.DEFAULT.diffuse(), "diffuse")
             .omitting(Material.DEFAULT.specular(), "specular")
@@ -64,8 +63,7 @@ final class JsonShapes {
             .form("texture", TEXTURE)
             .omitting(null, "texture")
             .omitting(Material.DEFAULT.reflectance(), "reflectance")
-            .omitting(Material.DEFAULT.label(), "label")
-            .as(Surface::material, Surface::of);
+            .omitting(Material.DEFAULT.label(), "label");
 
     private static final JsonObject<Placed> PLACED = JsonObject.of(Placed.class)
             .omitting(null, "name")
@@ -184,42 +182,6 @@ final class JsonShapes {
             out.writeArray(face, 0, face.length);
         }
         out.writeEndArray();
-    }
-
-    record Surface(
-            Color color,
-            double diffuse,
-            double specular,
-            double shininess,
-            double mirror,
-            Color emission,
-            @Nullable Texture texture,
-            double reflectance,
-            int label) {
-        static Surface of(Material of) {
-            return new Surface(
-                    of.color(),
-                    of.diffuse(),
-                    of.specular(),
-                    of.shininess(),
-                    of.mirror(),
-                    of.emission(),
-                    of.texture(),
-                    of.reflectance(),
-                    of.label());
-        }
-
-        Material material() {
-            return Material.of(color)
-                    .withDiffuse(diffuse)
-                    .withSpecular(specular)
-                    .withShininess(shininess)
-                    .withMirror(mirror)
-                    .withEmission(emission)
-                    .withTexture(texture)
-                    .withReflectance(reflectance)
-                    .withLabel(label);
-        }
     }
 
     @SuppressWarnings("ArrayRecordComponent") // is never compared

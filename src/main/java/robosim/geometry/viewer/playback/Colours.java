@@ -1,12 +1,15 @@
 package robosim.geometry.viewer.playback;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 
 /**
  * The colours that a world file gives its objects. An object with a name keeps its colour wherever it moves and
@@ -23,7 +26,7 @@ public final class Colours {
 
     public static Colours of(World world) {
         Colours colours = new Colours();
-        for (Scene.Thing thing : Pictures.things(world)) {
+        for (Scene.Thing thing : things(world)) {
             String name = thing.object().name();
             Integer colour = thing.colour();
             if (colour != null && name != null) {
@@ -33,6 +36,17 @@ public final class Colours {
             }
         }
         return colours;
+    }
+
+    /** The objects of a world, each with the colour that its file gives it. */
+    static List<Scene.Thing> things(World world) {
+        List<Scene.Thing> things = new ArrayList<>();
+        for (WorldObject object : world.objects()) {
+            String color = object.color();
+            Integer colour = color == null ? null : Integer.valueOf(color.substring(1), 16);
+            things.add(new Scene.Thing(object.object(), colour));
+        }
+        return things;
     }
 
     /** The colour 0xRRGGBB; null if the file has none for the object. */

@@ -148,7 +148,7 @@ public record Frame(
 
         public static Setting of(World world) {
             return new Setting(world.width(), world.height(), world.length(), world.dimension(), world.accuracy())
-                    .with(Pictures.things(world));
+                    .with(Colours.things(world));
         }
 
         private Setting(double width, double height, double length, Dimension dimension, Accuracy accuracy) {

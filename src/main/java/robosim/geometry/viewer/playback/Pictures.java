@@ -34,7 +34,7 @@ public final class Pictures {
     public static Scene of(World world, String title) {
         Checks.present("world", world);
         Checks.present("title", title);
-        List<Scene.Thing> things = things(world);
+        List<Scene.Thing> things = Colours.things(world);
         String subtitle = NumberText.count(things.size(), "object") + ", "
                 + world.dimension().name().toLowerCase(Locale.ROOT);
         Scene.View view = Scene.View.of(world.width(), world.length(), things);
@@ -55,14 +55,6 @@ public final class Pictures {
         return unit == null ? "" : unit.symbol();
     }
 
-    static List<Scene.Thing> things(World world) {
-        List<Scene.Thing> things = new ArrayList<>();
-        for (WorldObject object : world.objects()) {
-            things.add(new Scene.Thing(object.object(), colour(object)));
-        }
-        return things;
-    }
-
     /** The world of a conversation at one moment, as a world file has it. */
     public static World world(Frame.Setting setting, List<Scene.Thing> movers) {
         List<Scene.Thing> things = new ArrayList<>(setting.statics());
@@ -81,11 +73,6 @@ public final class Pictures {
                 setting.dimension(),
                 setting.accuracy(),
                 objects);
-    }
-
-    private static @Nullable Integer colour(WorldObject object) {
-        String color = object.color();
-        return color == null ? null : Integer.valueOf(color.substring(1), 16);
     }
 
     /** The name of a file without its folder and endings. */

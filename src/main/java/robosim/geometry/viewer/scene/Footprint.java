@@ -3,6 +3,7 @@ package robosim.geometry.viewer.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
@@ -10,7 +11,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.model.TriangleMesh;
 
 /** A convex piece of an object's projection on the XZ plane, or all cells of a grid; for pictures, in plain doubles. */
 public sealed interface Footprint permits Footprint.Disc, Footprint.Polygon, CellArea {

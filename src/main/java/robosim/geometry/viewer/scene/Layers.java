@@ -3,11 +3,11 @@ package robosim.geometry.viewer.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.TriangleMesh;
 
 /**
  * Orders what a plan shows by height. A mesh takes part with each of its triangles, so that furniture is seen on the

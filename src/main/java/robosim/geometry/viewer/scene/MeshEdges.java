@@ -1,7 +1,7 @@
 package robosim.geometry.viewer.scene;
 
 import java.util.Arrays;
-import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.index.meshes.TriangleMesh;
 
 /**
  * The edges of a mesh and the triangles at each, with corners at the same place taken as one. In plain doubles, for

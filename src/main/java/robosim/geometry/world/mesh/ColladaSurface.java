@@ -65,7 +65,7 @@ public final class ColladaSurface {
         try {
             return joined.mesh();
         } catch (IllegalArgumentException e) {
-            throw new FileProblem(source, 0, 0, String.valueOf(e.getMessage()), e);
+            throw new FileProblem(source, String.valueOf(e.getMessage()), e);
         }
     }
 

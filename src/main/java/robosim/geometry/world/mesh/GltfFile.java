@@ -45,7 +45,7 @@ final class GltfFile {
         try {
             bytes = CountedStream.bounded(in).readAllBytes();
         } catch (IOException e) {
-            throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
+            throw new FileProblem(source, "the file could not be read: " + e.getMessage(), e);
         }
         read = bytes.length;
         ByteBuffer file = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
@@ -57,8 +57,6 @@ final class GltfFile {
         if (!version.startsWith("2.")) {
             throw new FileProblem(
                     source,
-                    0,
-                    0,
                     "glTF must be of version 2.0; save it as that (got: asset.version "
                             + (version.isEmpty() ? "none" : version) + ")");
         }
@@ -173,6 +171,6 @@ final class GltfFile {
     }
 
     private FileProblem wrong(String problem) {
-        return new FileProblem(source, 0, 0, problem);
+        return new FileProblem(source, problem);
     }
 }

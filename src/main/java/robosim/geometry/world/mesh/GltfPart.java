@@ -23,7 +23,7 @@ final class GltfPart {
         if (json instanceof Map<?, ?> values) {
             return new GltfPart(source, "", values);
         }
-        throw new FileProblem(source, 0, 0, "a glTF file must be one object, which begins with { (got: another value)");
+        throw new FileProblem(source, "a glTF file must be one object, which begins with { (got: another value)");
     }
 
     boolean has(String name) {
@@ -160,11 +160,11 @@ final class GltfPart {
     }
 
     private FileProblem wrong(String name, String problem) {
-        return new FileProblem(source, 0, 0, path(name) + " " + problem);
+        return new FileProblem(source, path(name) + " " + problem);
     }
 
     /** What is wrong with this part. */
     FileProblem wrong(String problem) {
-        return new FileProblem(source, 0, 0, path + ": " + problem);
+        return new FileProblem(source, path + ": " + problem);
     }
 }

@@ -95,12 +95,12 @@ final class GltfSurface {
         try {
             return joined.mesh();
         } catch (IllegalArgumentException e) {
-            throw new FileProblem(path.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+            throw new FileProblem(path.toString(), String.valueOf(e.getMessage()), e);
         }
     }
 
     private FileProblem problem(String text) {
-        return new FileProblem(path.toString(), 0, 0, text);
+        return new FileProblem(path.toString(), text);
     }
 
     private void leaveOut(String what, FileProblem why) throws FileProblem {

@@ -74,7 +74,7 @@ public final class MeshFiles {
     /** Refuses a name with another ending than those of supported formats. */
     public static void checkNamed(String file) throws FileProblem {
         if (!isNamed(file)) {
-            throw new FileProblem(file, 0, 0, "the name of a mesh must end in " + ENDINGS);
+            throw new FileProblem(file, "the name of a mesh must end in " + ENDINGS);
         }
     }
 
@@ -86,7 +86,7 @@ public final class MeshFiles {
             case "stl" -> StlSurface.read(in, source, scale);
             case "ply" -> PlySurface.read(in, source, scale);
             case "obj" -> ObjSurface.read(in, source, scale);
-            default -> throw new FileProblem(source, 0, 0, "glTF must be read from a file, as it refers to others");
+            default -> throw new FileProblem(source, "glTF must be read from a file, as it refers to others");
         };
     }
 
@@ -142,7 +142,7 @@ public final class MeshFiles {
             return format.read(in, file.toString(), scale);
         } catch (FileProblem e) {
             if (FileKind.isPointer(file)) {
-                throw new FileProblem(file.toString(), 0, 0, FileKind.POINTER, e);
+                throw new FileProblem(file.toString(), FileKind.POINTER, e);
             }
             if (!SafeXml.isNotWellFormed(e)) {
                 throw e;

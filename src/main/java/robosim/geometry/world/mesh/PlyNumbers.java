@@ -84,6 +84,6 @@ final class PlyNumbers {
     /** What is wrong with the element at hand. */
     FileProblem wrong(String problem) {
         String text = element.name() + " " + (row + 1) + " of " + element.count() + ": " + problem;
-        return words != null ? words.wrong(text) : new FileProblem(source, 0, 0, text);
+        return words != null ? words.wrong(text) : new FileProblem(source, text);
     }
 }

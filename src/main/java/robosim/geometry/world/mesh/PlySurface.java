@@ -49,13 +49,13 @@ public final class PlySurface {
     static MeshObject read(InputStream in, String source, double scale, @Nullable String part) throws FileProblem {
         if (part != null) {
             throw new FileProblem(
-                    source, 0, 0, "a PLY file has no parts with names; save this one as its own (got: " + part + ")");
+                    source, "a PLY file has no parts with names; save this one as its own (got: " + part + ")");
         }
         byte[] bytes;
         try {
             bytes = PlainBytes.of(CountedStream.bounded(in).readAllBytes());
         } catch (IOException e) {
-            throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
+            throw new FileProblem(source, "the file could not be read: " + e.getMessage(), e);
         }
         return new PlySurface(bytes, source, scale).read();
     }
@@ -72,8 +72,6 @@ public final class PlySurface {
         if (polygons.isEmpty()) {
             throw new FileProblem(
                     source,
-                    0,
-                    0,
                     "a PLY file must have at least one face; a cloud of points must be made a surface by another"
                             + " program (got: " + count / 3 + " vertices)");
         }
@@ -83,8 +81,6 @@ public final class PlySurface {
             if (faces.size() + polygon.length - 2 > Limits.MAX_FACES) {
                 throw new FileProblem(
                         source,
-                        0,
-                        0,
                         "a mesh must have at most " + Limits.MAX_FACES
                                 + " faces, cut into triangles; simplify or split it (got: more)");
             }
@@ -95,7 +91,7 @@ public final class PlySurface {
             joined.add(vertices, faces, AffineTransform.NONE);
             return joined.mesh();
         } catch (IllegalArgumentException e) {
-            throw new FileProblem(source, 0, 0, String.valueOf(e.getMessage()), e);
+            throw new FileProblem(source, String.valueOf(e.getMessage()), e);
         }
     }
 
@@ -109,8 +105,6 @@ public final class PlySurface {
                 if (corner >= points.length) {
                     throw new FileProblem(
                             source,
-                            0,
-                            0,
                             "a corner must be from 0 and below " + points.length + ", the number of vertices (got: "
                                     + corner + ")");
                 }
@@ -128,7 +122,7 @@ public final class PlySurface {
         try {
             return new Point(scale * coordinates[at], scale * coordinates[at + 1], scale * coordinates[at + 2]);
         } catch (IllegalArgumentException e) {
-            throw new FileProblem(source, 0, 0, "vertex " + (index + 1) + ": " + e.getMessage(), e);
+            throw new FileProblem(source, "vertex " + (index + 1) + ": " + e.getMessage(), e);
         }
     }
 
@@ -156,8 +150,7 @@ public final class PlySurface {
             known |= axis < 0 ? 0 : 1 << axis;
         }
         if (known != 0b111) {
-            throw new FileProblem(
-                    source, 0, 0, "the element vertex must have the properties x, y and z (got: not all)");
+            throw new FileProblem(source, "the element vertex must have the properties x, y and z (got: not all)");
         }
         double[] place = new double[3];
         for (long row = 0; row < element.count(); row++) {

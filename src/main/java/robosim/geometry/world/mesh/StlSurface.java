@@ -46,24 +46,21 @@ public final class StlSurface {
         try {
             bytes = CountedStream.bounded(in).readAllBytes();
         } catch (IOException e) {
-            throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
+            throw new FileProblem(source, "the file could not be read: " + e.getMessage(), e);
         }
         StlSurface reader = new StlSurface(scale, part);
         boolean isBinary = isBinary(bytes);
         AsciiScanner words = new AsciiScanner(isBinary ? bytes : PlainBytes.of(bytes), source, -1);
         if (isBinary && part != null) {
             throw new FileProblem(
-                    source,
-                    0,
-                    0,
-                    "a binary STL file has no parts with names; save this one as its own (got: " + part + ")");
+                    source, "a binary STL file has no parts with names; save this one as its own (got: " + part + ")");
         }
         if (isBinary) {
             reader.binary(bytes, source);
         } else if (words.next() && words.is("solid") && !isCut(bytes)) {
             reader.text(words);
         } else {
-            throw new FileProblem(source, 0, 0, noStl(bytes));
+            throw new FileProblem(source, noStl(bytes));
         }
         try {
             if (reader.faces.isEmpty()) {
@@ -74,7 +71,7 @@ public final class StlSurface {
             }
             return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
         } catch (IllegalArgumentException e) {
-            throw new FileProblem(source, 0, 0, String.valueOf(e.getMessage()), e);
+            throw new FileProblem(source, String.valueOf(e.getMessage()), e);
         }
     }
 
@@ -122,11 +119,7 @@ public final class StlSurface {
                     face[corner] = vertex(numbers.getFloat(at), numbers.getFloat(at + 4), numbers.getFloat(at + 8));
                 } catch (IllegalArgumentException e) {
                     throw new FileProblem(
-                            source,
-                            0,
-                            0,
-                            "corner " + (corner + 1) + " of triangle " + (k + 1) + ": " + e.getMessage(),
-                            e);
+                            source, "corner " + (corner + 1) + " of triangle " + (k + 1) + ": " + e.getMessage(), e);
                 }
             }
             faces.add(face);

@@ -24,8 +24,6 @@ public final class MapFiles {
         } catch (NoClassDefFoundError e) {
             throw new FileProblem(
                     yaml.toString(),
-                    0,
-                    0,
                     "ROS maps need snakeyaml-engine, which is not on the class path: add"
                             + " org.snakeyaml:snakeyaml-engine:3.0.1 or newer (missing: " + e.getMessage() + ")",
                     e);

@@ -95,10 +95,10 @@ public record MapSettings(
                 int line = e.getProblemMark().map(mark -> mark.getLine() + 1).orElse(0);
                 throw new FileProblem(source, line, 0, "this is not valid YAML: " + e.getProblem(), e);
             } catch (YamlEngineException e) {
-                throw new FileProblem(source, 0, 0, "this is not valid YAML: " + e.getMessage(), e);
+                throw new FileProblem(source, "this is not valid YAML: " + e.getMessage(), e);
             }
             if (!(root instanceof MappingNode mapping)) {
-                throw new FileProblem(source, 0, 0, "a map must consist of keys with values, such as image: map.pgm");
+                throw new FileProblem(source, "a map must consist of keys with values, such as image: map.pgm");
             }
             for (NodeTuple entry : mapping.getValue()) {
                 entry(entry);
@@ -240,7 +240,7 @@ public record MapSettings(
         private Node value(String key) throws FileProblem {
             Node node = values.get(key);
             if (node == null) {
-                throw new FileProblem(source, 0, 0, "a map must have " + key + "; add it (got: none)");
+                throw new FileProblem(source, "a map must have " + key + "; add it (got: none)");
             }
             return node;
         }

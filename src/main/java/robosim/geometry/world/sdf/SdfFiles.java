@@ -128,7 +128,7 @@ public final class SdfFiles {
             SdfFile file = new SdfFile(real, folder(real), shown);
             if (shown.toLowerCase(Locale.ROOT).endsWith(".xacro")) {
                 String name = String.valueOf(real.getFileName());
-                throw new FileProblem(shown, 0, 0, Xacro.remedy(name, name.substring(0, name.length() - 6)));
+                throw new FileProblem(shown, Xacro.remedy(name, name.substring(0, name.length() - 6)));
             }
             if (isUrdf(file)) {
                 urdf.add(real);
@@ -182,15 +182,13 @@ public final class SdfFiles {
         if (!isNamed && !Files.isRegularFile(folder.resolve(SdfManifest.DEFAULT))) {
             throw new FileProblem(
                     folder.toString(),
-                    0,
-                    0,
                     "a folder must be a model's, with " + SdfManifest.NAME + "; else name a file in it (got: none)");
         }
         try {
             String name = isNamed ? SdfManifest.read(manifest, remarks) : SdfManifest.DEFAULT;
             return Folder.locate(folder.toRealPath(), name, "model", "SDFormat");
         } catch (IllegalArgumentException e) {
-            throw new FileProblem(manifest.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+            throw new FileProblem(manifest.toString(), String.valueOf(e.getMessage()), e);
         } catch (IOException e) {
             throw FileProblem.unreadable(manifest, e);
         }

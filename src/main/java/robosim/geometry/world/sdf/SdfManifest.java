@@ -71,7 +71,7 @@ public final class SdfManifest extends XmlHandler {
         }
         if (manifest.model == null) {
             throw new FileProblem(
-                    file.toString(), 0, 0, "<model> must have <sdf version=\"1.x\"> with a file's name (got: none)");
+                    file.toString(), "<model> must have <sdf version=\"1.x\"> with a file's name (got: none)");
         }
         return manifest.model;
     }

@@ -28,6 +28,16 @@ public class FileProblem extends IOException {
         this.problem = problem;
     }
 
+    /** A problem of a whole file. */
+    public FileProblem(String source, String problem, @Nullable Throwable cause) {
+        this(source, 0, 0, problem, cause);
+    }
+
+    /** A problem of a whole file, without a cause. */
+    public FileProblem(String source, String problem) {
+        this(source, 0, 0, problem, null);
+    }
+
     /** A problem without a cause. */
     public FileProblem(String source, int line, int column, String problem) {
         this(source, line, column, problem, null);
@@ -41,7 +51,7 @@ public class FileProblem extends IOException {
         String problem = failure instanceof NoSuchFileException
                 ? "there is no such file; check the path"
                 : "the file could not be read: " + failure;
-        return new FileProblem(file.toString(), 0, 0, problem, failure);
+        return new FileProblem(file.toString(), problem, failure);
     }
 
     private static String place(String source, int line, int column) {

@@ -41,13 +41,11 @@ public final class ImageFiles {
         } catch (NoClassDefFoundError e) {
             throw new FileProblem(
                     source,
-                    0,
-                    0,
                     "the " + kind + " image needs the module java.desktop, which this Java does not have; save it as"
                             + " PNG or PGM (missing: " + e.getMessage() + ")",
                     e);
         } catch (IOException | IllegalArgumentException e) {
-            throw new FileProblem(source, 0, 0, "the " + kind + " image could not be read: " + e.getMessage(), e);
+            throw new FileProblem(source, "the " + kind + " image could not be read: " + e.getMessage(), e);
         }
     }
 }

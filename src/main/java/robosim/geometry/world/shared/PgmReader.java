@@ -39,8 +39,6 @@ final class PgmReader {
         if (there != need) {
             throw new FileProblem(
                     source,
-                    0,
-                    0,
                     "an image of " + width + " x " + height + " pixels must have " + need + " bytes after its header; "
                             + (there < need
                                     ? "it is truncated (got: " + Math.max(0, there) + ")"
@@ -82,8 +80,6 @@ final class PgmReader {
                     if (value > white) {
                         throw new FileProblem(
                                 source,
-                                0,
-                                0,
                                 "a pixel must be at most white, " + white + " (got: " + value + " in column "
                                         + (x + k + 1) + " of row " + (row + 1) + ")");
                     }

@@ -41,8 +41,6 @@ public final class RegularFile {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new FileProblem(
                     file.toString(),
-                    0,
-                    0,
                     Files.isDirectory(file)
                             ? "the path must be that of a file; name one in this folder (got: a folder)"
                             : "the file must be a regular one; save the output of a pipe or device to one (got: a pipe,"
@@ -63,8 +61,6 @@ public final class RegularFile {
             if (size > most) {
                 throw new FileProblem(
                         file.toString(),
-                        0,
-                        0,
                         "the file must have at most " + most
                                 + " bytes; split it in several files, or simplify what is in it (got: more)");
             }

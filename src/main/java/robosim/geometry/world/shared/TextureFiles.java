@@ -141,12 +141,10 @@ public final class TextureFiles {
             throw e;
         } catch (IOException | RuntimeException e) { // a broken JPEG throws either
             throw new FileProblem(
-                    file.toString(), 0, 0, "the picture could not be read; save it as PNG (" + e.getMessage() + ")", e);
+                    file.toString(), "the picture could not be read; save it as PNG (" + e.getMessage() + ")", e);
         } catch (NoClassDefFoundError e) {
             throw new FileProblem(
                     file.toString(),
-                    0,
-                    0,
                     "a JPEG needs the module java.desktop; save it as PNG (missing: " + e.getMessage() + ")",
                     e);
         }
@@ -161,7 +159,7 @@ public final class TextureFiles {
         try {
             count(width, height);
         } catch (IllegalArgumentException e) {
-            throw new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+            throw new FileProblem(file.toString(), String.valueOf(e.getMessage()), e);
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -18,7 +19,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 

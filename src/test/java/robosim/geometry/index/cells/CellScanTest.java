@@ -84,9 +84,9 @@ class CellScanTest {
             String as = "%d: %d x %d, %s, slack %s, %s".formatted(k, columns, rows, swept, slack, occupied);
             ClearanceMap map = new ClearanceMap(columns, rows, occupied);
             if (swept.du == 0 && swept.dv == 0) {
-                scan.start(map, swept.lowU, swept.lowV, swept.highU, swept.highV, slack);
+                scan.over(map).start(swept.lowU, swept.lowV, swept.highU, swept.highV, slack);
             } else {
-                scan.start(map, swept.lowU, swept.lowV, swept.highU, swept.highV, swept.du, swept.dv, slack);
+                scan.over(map).start(swept.lowU, swept.lowV, swept.highU, swept.highV, swept.du, swept.dv, slack);
             }
             BitSet shown = new BitSet();
             for (int cell = scan.next(); cell >= 0; cell = scan.next()) {

@@ -127,7 +127,7 @@ class CellWalkTest {
             boolean isShrinking = random.nextBoolean();
             String as = "%d: %d x %d, %s, limit %s, %s".formatted(k, columns, rows, line, limit, occupied);
             ClearanceMap map = new ClearanceMap(columns, rows, occupied);
-            walk.start(map, line.u, line.v, line.du, line.dv, line.from, line.to, line.slack);
+            walk.over(map).start(line.u, line.v, line.du, line.dv, line.from, line.to, line.slack);
             List<Integer> shown = new ArrayList<>();
             for (int cell = walk.next(limit); cell >= 0; cell = walk.next(limit)) {
                 assertThat(map.isOccupied(cell)).as(as).isTrue();

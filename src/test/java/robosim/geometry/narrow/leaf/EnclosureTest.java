@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.WorkCounter;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -21,7 +22,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.model.TriangleMesh;
 
 /** Enclosures hold what they stand for and are no wider than they must; however they were placed, they are the same. */
 class EnclosureTest {

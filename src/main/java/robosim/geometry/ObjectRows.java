@@ -1,4 +1,4 @@
-package robosim.geometry.model;
+package robosim.geometry;
 
 import java.io.Serial;
 import java.io.Serializable;
@@ -10,14 +10,20 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GeometryObject.Kind;
+import robosim.geometry.model.GridObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.PlacedObject;
+import robosim.geometry.model.Pose;
 
 /**
  * Many objects as columns of plain values, for serialization: sizes, names and places to the last bit, with the
  * rounding errors of centres. Data that placements of one mesh, group or grid share is written once, and shared again after
  * reading.
  *
- * <p>For internal use. Nothing read is trusted: {@link #objects()} creates each object through its constructor.
+ * <p>Nothing read is trusted: {@link #objects()} creates each object through its constructor.
  *
  * @param kinds    by object: which constructor makes it
  * @param sizes    by object: three numbers of a box, two of a cylinder or capsule, one of a sphere
@@ -29,7 +35,7 @@ import robosim.geometry.model.GeometryObject.Kind;
  * @param materials by object: null for the default; all of it null if no object was given one
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared; the numbers are checked on the way out
-public record ObjectRows(
+record ObjectRows(
         byte[] kinds,
         double[] sizes,
         GeometryObject[] shapes,
@@ -67,7 +73,7 @@ public record ObjectRows(
     }
 
     /** The columns of given objects. */
-    public static ObjectRows of(List<GeometryObject> objects) {
+    static ObjectRows of(List<GeometryObject> objects) {
         int count = objects.size();
         byte[] kinds = new byte[count];
         double[] sizes = new double[SIZES * count];
@@ -92,7 +98,7 @@ public record ObjectRows(
             kinds[k] = own.length == 0 ? OTHER : (byte) CODES.indexOf(object.kind());
             if (kinds[k] == OTHER) {
                 shapeOf[k] = seen.computeIfAbsent(shape(object), s -> {
-                    shapes.add(with(object, PlacedObject.Tag.NONE, Pose.ORIGIN));
+                    shapes.add(PlacedObject.like(object, null, false, Material.DEFAULT, Pose.ORIGIN));
                     return shapes.size() - 1;
                 });
             }
@@ -110,16 +116,12 @@ public record ObjectRows(
                 : new Shape(((GridObject) object).cells(), false, null);
     }
 
-    private static GeometryObject with(GeometryObject object, PlacedObject.Tag tag, Pose pose) {
-        return ((PlacedObject<?>) object).with(tag, pose);
-    }
-
     /**
      * The objects.
      *
      * @throws IllegalArgumentException if a column is missing or too short, or an object's numbers are invalid
      */
-    public List<GeometryObject> objects() {
+    List<GeometryObject> objects() {
         int count = Checks.present("kinds", kinds).length;
         checkLength("sizes", Checks.present("sizes", sizes).length, (long) SIZES * count);
         checkLength("shapeOf", Checks.present("shapeOf", shapeOf).length, count);
@@ -130,8 +132,7 @@ public record ObjectRows(
         Checks.present("shapes", shapes);
         List<GeometryObject> objects = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
-            objects.add(object(
-                    k, new PlacedObject.Tag(names[k], moveable[k], material(k)), Pose.checked(places, Pose.PLACE * k)));
+            objects.add(object(k, Pose.checked(places, Pose.PLACE * k)));
         }
         return objects;
     }
@@ -147,7 +148,7 @@ public record ObjectRows(
         }
     }
 
-    private GeometryObject object(int k, PlacedObject.Tag tag, Pose pose) {
+    private GeometryObject object(int k, Pose pose) {
         if (kinds[k] < 0 || kinds[k] >= CODES.size()) {
             throw new IllegalArgumentException("kinds[" + k + "] must be 0 to 4 (got: " + kinds[k] + ")");
         }
@@ -158,7 +159,7 @@ public record ObjectRows(
                 : kind.of(
                         pose.center(),
                         Arrays.copyOfRange(sizes, from, from + kind.sizes().size()));
-        return with(made, tag, pose);
+        return PlacedObject.like(made, names[k], moveable[k], material(k), pose);
     }
 
     private GeometryObject shape(int k) {

@@ -1,4 +1,4 @@
-package robosim.geometry.contract;
+package robosim.geometry.proof;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -16,19 +16,12 @@ import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.contract.RandomObjects;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
-import robosim.geometry.proof.Attempt;
-import robosim.geometry.proof.Claim;
-import robosim.geometry.proof.Proof;
-import robosim.geometry.proof.ProofChecker;
-import robosim.geometry.proof.ProofJson;
-import robosim.geometry.proof.Prover;
-import robosim.geometry.proof.Scene;
-import robosim.geometry.proof.Witness;
 
 /** Damaged witnesses, and good ones of other claims, are rejected: by the checker, and by the one in Python. */
 @Tag("clock")

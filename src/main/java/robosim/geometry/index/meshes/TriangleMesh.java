@@ -1,4 +1,4 @@
-package robosim.geometry.model;
+package robosim.geometry.index.meshes;
 
 import java.util.Arrays;
 import java.util.HashMap;
@@ -6,14 +6,10 @@ import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
-import robosim.geometry.index.meshes.BoxTree;
-import robosim.geometry.index.meshes.WideTree;
 import robosim.geometry.material.TextureCoordinates;
 
 /**
  * The triangles of a mesh in its own frame and their tree, shared by all placements of the mesh.
- *
- * <p>For internal use; users work with {@link MeshObject}.
  */
 public final class TriangleMesh {
     private static final int[] NO_POINTS = {};
@@ -42,7 +38,7 @@ public final class TriangleMesh {
     private int @Nullable [] seeds;
 
     /** Keeps both arrays without copying them. */
-    TriangleMesh(double[] coordinates, int[][] faces) {
+    public TriangleMesh(double[] coordinates, int[][] faces) {
         Checks.present("vertices", coordinates);
         Checks.present("faces", faces);
         if (faces.length == 0) {
@@ -87,13 +83,12 @@ public final class TriangleMesh {
     }
 
     /** The same triangles with other texture coordinates. Its trees are built afresh. */
-    TriangleMesh with(@Nullable TextureCoordinates coordinatesOfTexture) {
+    public TriangleMesh with(@Nullable TextureCoordinates coordinatesOfTexture) {
         return Objects.equals(texture, coordinatesOfTexture) ? this : new TriangleMesh(this, coordinatesOfTexture);
     }
 
     /** Where the faces' corners lie in a picture; null if that was not given. */
-    @Nullable
-    TextureCoordinates texture() {
+    public @Nullable TextureCoordinates texture() {
         return texture;
     }
 
@@ -155,12 +150,12 @@ public final class TriangleMesh {
     }
 
     /** All coordinates, as a fresh array. */
-    double[] coordinates() {
+    public double[] coordinates() {
         return coordinates.clone();
     }
 
     /** The faces as given, as a deep copy. */
-    int[][] faces() {
+    public int[][] faces() {
         return Arrays.stream(faces).map(int[]::clone).toArray(int[][]::new);
     }
 
@@ -325,8 +320,7 @@ public final class TriangleMesh {
     }
 
     /** An edge that an odd number of triangles use, as text for people; null if the surface is closed. */
-    @Nullable
-    String openEdge() {
+    public @Nullable String openEdge() {
         int[] joined = joinEqual();
         Map<Long, Integer> uses = new HashMap<>();
         for (int t = 0; t < size(); t++) {
