@@ -111,8 +111,8 @@ public final class Cast {
     private double surface(LeafColumn column, int leaf, double limit) {
         nearest = Double.POSITIVE_INFINITY;
         s.leaf.outer.open(column, leaf);
-        if (dimension == Dimension.SPATIAL && !beam.isCone) {
-            s.mesh.meshRay.start(column, leaf, beam);
+        if (!beam.isCone && (dimension == Dimension.SPATIAL || MeshRay.castsInPlane(column, leaf))) {
+            s.mesh.meshRay.start(dimension, column, leaf, beam);
             s.mesh.meshRay.find(column.mesh(leaf), limit, judge);
             return nearest;
         }

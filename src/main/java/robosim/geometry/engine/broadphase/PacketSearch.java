@@ -29,6 +29,17 @@ public final class PacketSearch {
     /** So few rays are shown to all leaves of a group one by one just as fast. */
     private static final int FEW = 2;
 
+    /**
+     * Where a search looks at more objects for each ray, in a crowd where each ray soon meets one of its own, rays are faster
+     * one by one: an object is found later than along a line, and in space a sieve takes longer than a kernel.
+     */
+    private static final double CROWD_IN_PLANE = 0.4;
+
+    private static final double CROWD = 0.8;
+
+    /** How many searches are left out then. */
+    private static final int REST = 63;
+
     private static final StageCounters.Counter UNSURE = StageCounters.counter("PacketSearch");
 
     private final ObjectTable objects;
@@ -71,6 +82,12 @@ public final class PacketSearch {
     /** How far all of them look at first. */
     private double farthest;
 
+    /** How many objects the search at hand has looked at. */
+    private int visited;
+
+    /** How many searches are still left out. */
+    private int rest;
+
     /** A search in a world of objects. */
     public PacketSearch(ObjectTable objects, Scratch scratch) {
         this.objects = objects;
@@ -107,6 +124,15 @@ public final class PacketSearch {
         return true;
     }
 
+    /** Whether rays are likely to share enough, as the last ones did; to be asked once for each search. */
+    public boolean isWorthwhile() {
+        if (rest > 0) {
+            rest--;
+            return false;
+        }
+        return true;
+    }
+
     /**
      * Searches a world, which is seen in the dimension of the rays.
      *
@@ -117,6 +143,7 @@ public final class PacketSearch {
         packet.look(limit);
         reach = limit;
         farthest = limit;
+        visited = 0;
         open = number == Long.SIZE ? -1 : (1L << number) - 1;
         for (int ray = 0; ray < number; ray++) {
             best[ray] = Double.POSITIVE_INFINITY;
@@ -140,6 +167,7 @@ public final class PacketSearch {
                 hit[ray] = -1;
             }
         }
+        rest = visited > (dimension == Dimension.PLANAR ? CROWD_IN_PLANE : CROWD) * number ? REST : 0;
     }
 
     private void searchTrees(AccuracyView view, LeafTable table, int ignored) {
@@ -186,6 +214,7 @@ public final class PacketSearch {
     }
 
     private void hit(AccuracyView view, LeafTable table, int id) {
+        visited++;
         if (dimension == Dimension.PLANAR) {
             hitInPlane(table, id);
             return;

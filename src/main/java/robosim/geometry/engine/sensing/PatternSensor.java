@@ -235,6 +235,10 @@ public final class PatternSensor {
             search = new PacketSearch(objects, scratch);
             packets = search;
         }
+        if (!search.isWorthwhile()) {
+            answerOneByOne(view, from, to, null);
+            return;
+        }
         if (!search.aim(view.dimension, frame.x(), frame.y(), frame.z(), directions, 3 * from, to - from)) {
             int middle = (from + to) / 2;
             answer(view, from, middle);

@@ -4,6 +4,7 @@ import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.index.meshes.BoxTree;
 import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.index.meshes.WideTree;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.MeshWalk;
@@ -61,6 +62,9 @@ public final class MeshRay {
      */
     private final double[] line = new double[12];
 
+    /** Whether heights do not count, and the mesh stands upright: then the line is seen from above in the own frame too. */
+    private boolean isFlat;
+
     /** An upper bound of the error of any coordinate of the line or of a placed corner transformed to the own frame. */
     private double pad;
 
@@ -86,11 +90,21 @@ public final class MeshRay {
 
     private final TriangleLineFilter sieve = new TriangleLineFilter();
 
+    /** Whether a line in a plane can be cast through the tree of a mesh: where the mesh stands upright. */
+    public static boolean castsInPlane(LeafColumn column, int leaf) {
+        double[] place = column.rows();
+        int r = leaf * Leaf.STRIDE + Leaf.ROTATION;
+        return place[r + 1] == 0 && place[r + 3] == 0 && place[r + 5] == 0 && place[r + 7] == 0;
+    }
+
     /**
      * The line in the world, with its unit direction, or with its own where that has length 1 but for 2^-50, by which distances
      * along it are off. {@link #pad} is 16 times that of all coordinates, and no distance is more than twice these.
+     *
+     * @param dimension in PLANAR the line is level, and {@link #castsInPlane} holds
      */
-    public void start(LeafColumn column, int leaf, BeamAxis beam) {
+    public void start(Dimension dimension, LeafColumn column, int leaf, BeamAxis beam) {
+        isFlat = dimension == Dimension.PLANAR;
         boolean isUnit = Math.abs(beam.dx * beam.dx + beam.dy * beam.dy + beam.dz * beam.dz - 1) <= 0x1p-50;
         double ux = isUnit ? beam.dx : beam.ux();
         double uy = isUnit ? beam.dy : beam.uy();
@@ -99,14 +113,12 @@ public final class MeshRay {
         int at = leaf * Leaf.STRIDE;
         int r = at + Leaf.ROTATION;
         double x = beam.ox - place[at];
-        double y = beam.oy - place[at + 1];
+        double y = isFlat ? 0 : beam.oy - place[at + 1];
         double z = beam.oz - place[at + 2];
-        double size = Math.abs(beam.ox)
-                + Math.abs(beam.oy)
-                + Math.abs(beam.oz)
-                + Math.abs(place[at])
-                + Math.abs(place[at + 1])
-                + Math.abs(place[at + 2]);
+        double size = Math.abs(beam.ox) + Math.abs(beam.oz) + Math.abs(place[at]) + Math.abs(place[at + 2]);
+        if (!isFlat) {
+            size += Math.abs(beam.oy) + Math.abs(place[at + 1]);
+        }
         double meshSize = column.mesh(leaf).tree().reach();
         double skew = 0;
         if (isUnturned(place, r)) {
@@ -158,7 +170,11 @@ public final class MeshRay {
             return;
         }
         double widened = (pad * scale + FLOAT_PAD) * (1 + 0x1p-20);
-        sieve.aim(line, pad, farthest);
+        if (isFlat) {
+            sieve.aimInPlane(line, pad);
+        } else {
+            sieve.aim(line, pad, farthest);
+        }
         sieve.open(mesh, limit, judge);
         setLine((float) widened);
         descend(mesh.wide().numbers(), scale);
@@ -182,6 +198,12 @@ public final class MeshRay {
         cx = (float) (-line[ENTRY] * ix);
         cy = (float) (-line[ENTRY + 1] * iy);
         cz = (float) (-line[ENTRY + 2] * iz);
+        if (isFlat) { // at all heights at once
+            fy = 0;
+            gy = 0;
+            cy = 0;
+            wy = Float.POSITIVE_INFINITY;
+        }
     }
 
     private void descend(float[] nodes, double scale) {
@@ -282,7 +304,7 @@ public final class MeshRay {
     private boolean enter(BoxTree tree) {
         double scale = tree.scale();
         double x = (line[0] - tree.origin(0)) * scale;
-        double y = (line[1] - tree.origin(1)) * scale;
+        double y = isFlat ? 0 : (line[1] - tree.origin(1)) * scale;
         double z = (line[2] - tree.origin(2)) * scale;
         ahead = 0;
         line[ENTRY] = x;

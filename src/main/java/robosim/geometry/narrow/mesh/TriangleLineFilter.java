@@ -34,6 +34,14 @@ final class TriangleLineFilter {
     private double inverseMain;
     private double pad;
 
+    /** Whether heights do not count. The line's way from above is then {@link #wayX} and {@link #wayZ}. */
+    private boolean isFlat;
+
+    private double wayX;
+    private double wayZ;
+    private double startAhead;
+    private double startAside;
+
     private double leastDoubt;
 
     /** An upper bound of any triangle's {@link #doubt}. */
@@ -70,6 +78,7 @@ final class TriangleLineFilter {
      * @param size an upper bound of the distance of any point of the mesh from the start, on any axis
      */
     void aim(double[] line, double error, double size) {
+        isFlat = false;
         main = longest(line[MeshRay.WAY], line[MeshRay.WAY + 1], line[MeshRay.WAY + 2]);
         one = (0b00_10_01 >> (2 * main)) & 3;
         two = (0b01_00_10 >> (2 * main)) & 3;
@@ -82,6 +91,16 @@ final class TriangleLineFilter {
         lineTwo = line[two] + slopeTwo * lineMain;
         leastDoubt = 32 * pad * pad + UNDERFLOW;
         mostDoubt = doubt(12 * size);
+    }
+
+    /** Sets a line seen from above. */
+    void aimInPlane(double[] line, double error) {
+        isFlat = true;
+        pad = error;
+        wayX = line[MeshRay.WAY];
+        wayZ = line[MeshRay.WAY + 2];
+        startAhead = line[0] * wayX + line[2] * wayZ;
+        startAside = line[2] * wayX - line[0] * wayZ;
     }
 
     /** The axis along which a direction goes the farthest, by integers, which are compared without branches. */
@@ -101,7 +120,11 @@ final class TriangleLineFilter {
     /** Tries the triangles from one position in the order of the leaves to another. */
     void sift(int first, int last) {
         for (int place = first; place <= last; place++) {
-            tryTriangle(place);
+            if (isFlat) {
+                tryProjection(place);
+            } else {
+                tryTriangle(place);
+            }
         }
     }
 
@@ -147,12 +170,70 @@ final class TriangleLineFilter {
         double whole = u + v + w;
         double distance = ((u * az + v * bz + w * cz) / whole - lineMain) * inverseMain;
         double spread = Math.abs(az - bz) + Math.abs(bz - cz) + Math.abs(cz - az);
-        take(place, distance, FilterBound.bound(16 * pad + spread * (32 * doubt / Math.abs(whole))));
+        take(place, distance, FilterBound.bound(16 * pad + spread * (32 * doubt / Math.abs(whole))), distance);
     }
 
-    /** Takes a triangle that is met for certain, at a distance with an error. */
-    private void take(int place, double distance, double error) {
-        if (distance - error > reach || distance + error < 0) {
+    /**
+     * Tries the projection of a triangle: the line crosses it where it crosses the two sides at the corner that is on a side
+     * of its own. Numbers are off by a pad.
+     */
+    private void tryProjection(int place) {
+        double[] c = corners;
+        int k = 9 * place;
+        double a = aside(c[k], c[k + 2]);
+        double b = aside(c[k + 3], c[k + 5]);
+        double d = aside(c[k + 6], c[k + 8]);
+        if (Math.min(a, Math.min(b, d)) > pad || Math.max(a, Math.max(b, d)) < -pad) {
+            return;
+        }
+        double aheadA = ahead(c[k], c[k + 2]);
+        double aheadB = ahead(c[k + 3], c[k + 5]);
+        double aheadD = ahead(c[k + 6], c[k + 8]);
+        if (Math.min(aheadA, Math.min(aheadB, aheadD)) - pad > reach
+                || Math.max(aheadA, Math.max(aheadB, aheadD)) < -pad) {
+            return;
+        }
+        double doubt = FilterBound.bound(2 * pad);
+        if (!(Math.abs(a) > doubt && Math.abs(b) > doubt && Math.abs(d) > doubt)) {
+            judge(place);
+        } else if (a > 0 != b > 0 && a > 0 != d > 0) {
+            cross(place, a, aheadA, b, aheadB, d, aheadD);
+        } else if (b > 0 != d > 0) { // and so from the first corner too, as there are two sides
+            if (a > 0 == d > 0) {
+                cross(place, b, aheadB, a, aheadA, d, aheadD);
+            } else {
+                cross(place, d, aheadD, a, aheadA, b, aheadB);
+            }
+        }
+    }
+
+    private double ahead(double x, double z) {
+        return x * wayX + z * wayZ - startAhead;
+    }
+
+    private double aside(double x, double z) {
+        return z * wayX - x * wayZ - startAside;
+    }
+
+    /**
+     * Takes a triangle of whose corners, given by how far they are aside and ahead, the first is on one side of the line and
+     * the other two on the other. With distances aside of at least 2 pads, the share of a side at which it is crossed is off by
+     * at most 2 pads of what the side goes across.
+     */
+    private void cross(int place, double a, double aheadA, double b, double aheadB, double d, double aheadD) {
+        double acrossB = a - b;
+        double acrossD = a - d;
+        double alongB = (aheadB - aheadA) / acrossB;
+        double alongD = (aheadD - aheadA) / acrossD;
+        double atB = aheadA + alongB * a;
+        double atD = aheadA + alongD * a;
+        double error = FilterBound.bound(16 * pad + 4 * pad * (Math.abs(alongB) + Math.abs(alongD)));
+        take(place, Math.min(atB, atD), error, Math.max(atB, atD));
+    }
+
+    /** Takes a triangle that the line certainly meets from one distance to another, both with an error. */
+    private void take(int place, double distance, double error, double last) {
+        if (distance - error > reach || last + error < 0) {
             return;
         }
         if (!(distance - error >= 0)) { // the line may start beyond it

@@ -205,6 +205,9 @@ public final class PlanarShape {
             side(0, row, at + 6, at);
             side(1, row, at, at + 3);
             side(2, row, at + 3, at + 6);
+            tail(0, row, at, ox, oz);
+            tail(1, row, at + 3, ox, oz);
+            tail(2, row, at + 6, ox, oz);
         } else if (turn < 0) {
             corner(x0, z0);
             corner(x2, z2);
@@ -212,10 +215,13 @@ public final class PlanarShape {
             side(0, row, at + 3, at);
             side(1, row, at, at + 6);
             side(2, row, at + 6, at + 3);
+            tail(0, row, at, ox, oz);
+            tail(1, row, at + 6, ox, oz);
+            tail(2, row, at + 3, ox, oz);
         } else {
             flatTriangle(row, at, x0, z0, x1, z1, x2, z2);
+            tails(row, at, ox, oz);
         }
-        tails(row, at, ox, oz);
     }
 
     private void side(int k, double[] row, int from, int to) {
@@ -232,12 +238,16 @@ public final class PlanarShape {
         for (int k = 0; k < count; k++) {
             for (int from = at; from < at + 9; from += 3) {
                 if (row[from] - ox == x[k] && row[from + 2] - oz == z[k]) {
-                    tailX[k] = DoubleDouble.differenceTail(row[from], ox, x[k]);
-                    tailZ[k] = DoubleDouble.differenceTail(row[from + 2], oz, z[k]);
+                    tail(k, row, from, ox, oz);
                     break;
                 }
             }
         }
+    }
+
+    private void tail(int k, double[] row, int from, double ox, double oz) {
+        tailX[k] = DoubleDouble.differenceTail(row[from], ox, x[k]);
+        tailZ[k] = DoubleDouble.differenceTail(row[from + 2], oz, z[k]);
     }
 
     // The longest side of a degenerate triangle.

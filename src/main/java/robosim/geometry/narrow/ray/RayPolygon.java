@@ -46,7 +46,10 @@ final class RayPolygon {
         if (left < -doubt || right > doubt || furthest < -doubt) {
             return Double.POSITIVE_INFINITY;
         }
-        int verdict = left > doubt && right < -doubt ? sides(q, ray.dx, ray.dz, speed, filter) : 0;
+        int verdict = 0;
+        if (left > doubt && right < -doubt) { // what is all ahead is met by a ray whose line crosses it
+            verdict = nearest > doubt ? 1 : sides(q, ray.dx, ray.dz, speed, filter);
+        }
         if (verdict < 0) {
             return Double.POSITIVE_INFINITY;
         }
