@@ -40,7 +40,7 @@ import sys
 import time
 import urllib.parse
 import zlib
-from typing import Any, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
@@ -702,23 +702,34 @@ class Module:
     an interrupt (Ctrl-C) or a timeout the connection can be used again: each request has an id that its answer repeats, so
     that a late answer is dropped and never taken for that of a later call. The interrupted request may have been carried
     out. Only an interrupt in the instant in which bytes are sent or taken over ends the connection; each later call says
-    so, and a new connection begins with a new `init`.
+    so, and a new connection begins with a new `init`, unless the session is kept: see `resume`.
     """
 
-    def __init__(self, sock: socket.socket, secret: Optional[str] = None) -> None:
+    def __init__(self, sock: socket.socket, secret: Optional[str] = None, resume: bool = False,
+                 dial: Optional[Callable[[], socket.socket]] = None) -> None:
+        self._secret = secret
+        self._dial = dial
+        #: What identifies the session for `resume`; None if the module does not keep it.
+        self.token: Optional[str] = None
+        self._last = 0  # the id of the last request
+        self._open(sock, "" if resume else None)
+
+    def _open(self, sock: socket.socket, resume: Optional[str]) -> Any:
+        """Says hello, and returns the id of the last request that was carried out in a session that is resumed."""
         self._sock = sock
         self._waiting = selectors.DefaultSelector()
         self._received = bytearray()
         self._searched = 0  # so many of the bytes received have no line feed
         self._torn = ""  # what an interrupt has broken; set while bytes may be lost
         self._refusal = ""
-        self._last = 0  # the id of the last request
         self._ahead: List[Any] = []  # the ids of requests that were sent ahead, whose answers are still to be received
         self._kept: Dict[Any, Json] = {}  # answers to those that came before they were asked for
         self._silent: Dict[Any, None] = {}  # the ids of inits, which have no answer unless they are wrong
         hello: Json = {"type": "hello", "version": 1}
-        if secret is not None:
-            hello["secret"] = secret
+        if self._secret is not None:
+            hello["secret"] = self._secret
+        if resume is not None:
+            hello["resume"] = resume
         try:
             sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)  # messages are small and wait for their answers
             self._waiting.register(sock, selectors.EVENT_READ)
@@ -741,6 +752,19 @@ class Module:
         self.version: str = welcome["module"]
         #: What the module takes at most, by the names of docs/protocol.md.
         self.limits: Dict[str, int] = welcome["limits"]
+        self.token = welcome.get("token")
+        return welcome.get("id")
+
+    def resume(self) -> bool:
+        """Goes on after the connection has dropped: connects again to the session that the module keeps, with its world and
+        bodies, where it was started with `--resume` and this connection was made with `resume=True`. Answers that had not
+        been received are lost. Returns whether the last request was carried out; if not, it has to be sent again.
+
+        Fails with `NotDone` if the session is not kept, or no longer; then connect anew and begin with an `init`."""
+        if self._dial is None or self.token is None:
+            raise NotDone("this session is not kept; connect with resume=True to a module that was started with --resume")
+        self.close()
+        return bool(self._open(self._dial(), self.token) == self._last)
 
     def __enter__(self) -> "Module":
         return self
@@ -1211,15 +1235,17 @@ def _place(text: str) -> Tuple[str, int]:
     return host or "localhost", int(port)
 
 
-def connect(to: str, secret: Optional[str] = None, timeout: Optional[float] = None) -> Module:
+def connect(to: str, secret: Optional[str] = None, timeout: Optional[float] = None, resume: bool = False) -> Module:
     """Connects to a module that listens at "HOST:PORT".
 
-    With a timeout, each answer may take so many seconds at most."""
-    try:
-        sock = socket.create_connection(_place(to), timeout)
-    except OSError as e:
-        raise NotDone(f"no module listens at {to}: {e}; start one with `robosim-geometry serve {to.rpartition(':')[2]}`") from None
-    return Module(sock, secret)
+    With a timeout, each answer may take so many seconds at most. With `resume`, the module may keep the session after the
+    connection has dropped: see `Module.resume`."""
+    def dial() -> socket.socket:
+        try:
+            return socket.create_connection(_place(to), timeout)
+        except OSError as e:
+            raise NotDone(f"no module listens at {to}: {e}; start one with `robosim-geometry serve {to.rpartition(':')[2]}`") from None
+    return Module(dial(), secret, resume, dial)
 
 
 def accept(port: int, secret: Optional[str] = None, timeout: Optional[float] = None) -> Module:

@@ -280,9 +280,9 @@ class Server:
         """Ends the module and all its connections."""
         self._end()
 
-    def connect(self) -> Module:
-        """A new connection, with a new copy of the server's world, if it has one."""
-        return connect(self.address)
+    def connect(self, resume: bool = False) -> Module:
+        """A new connection, with a new copy of the server's world, if it has one; `resume` is that of `robosim.connect`."""
+        return connect(self.address, resume=resume)
 
 
 def serve(world: Optional[Path] = None, *, connections: int = 256, java: Optional[Path] = None, jar: Optional[Path] = None,

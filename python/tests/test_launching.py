@@ -47,6 +47,19 @@ class Launching(unittest.TestCase):
         self.assertFalse(runs(world.pid))
         world.close()  # again
 
+    def test_a_session_is_resumed_after_a_drop(self):
+        with robosim.serve(options=["--resume", "60"]) as server, server.connect(resume=True) as world:
+            world.init(ROOM)
+            self.assertTrue(world.move("robot", x=1))
+            world._sock.shutdown(2)  # as where the network fails
+            with self.assertRaises(robosim.NotDone):
+                world.move("robot", x=1)
+            self.assertFalse(world.resume())  # that move was not made
+            self.assertEqual(world.pose("robot").center, [1.0, 0.0, 0.0])
+            self.assertTrue(world.resume())
+            with server.connect() as other, self.assertRaisesRegex(robosim.NotDone, "resume=True"):
+                other.resume()
+
     @POSIX
     def test_a_module_that_died_is_told_with_what_it_printed(self):
         with robosim.launch(ROOM) as world:

@@ -9,6 +9,7 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -19,7 +20,9 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.GeometryServer;
+import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Session;
+import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -29,6 +32,13 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.scenario.drive.WorldLoading;
 
 /**
  * What a healthy environment waits for an answer while others do all they can: a closed loop of small bundles, each answer
@@ -37,7 +47,8 @@ import robosim.geometry.protocol.SonarRequestBundle;
  *
  * <p>{@code mvn -q test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=robosim.geometry.bench.Fairness
  * -Dexec.args=""}; four minutes. The arguments name attacks, all where there are none; {@code -Dseconds=10} for each,
- * {@code -Dserver.flags="-Xmx2g"} for the server's Java, {@code -Dserver.classes=old.jar} for the server of another build.
+ * {@code -Dpause=2} for milliseconds between the healthy one's requests, {@code -Dserver.flags="-Xmx2g"} for the server's Java,
+ * {@code -Dserver.classes=old.jar} for the server of another build.
  */
 public final class Fairness {
     /** At most; a short measurement, which only checks the answers, warms up no longer than it takes. */
@@ -45,12 +56,22 @@ public final class Fairness {
 
     private static final int BUNDLES = 2000;
 
+    /** Milliseconds from an answer to the next request. */
+    private static final long PAUSE = Long.getLong("pause", 0);
+
+    /** Longer waits are shown when they occur. */
+    private static final long LONG_NANOS = 100_000_000;
+
+    private static final long MOST_ALONE_NANOS = 30_000_000_000L;
+    private static final int MOST_ANSWERS = 1 << 24;
+
     private Fairness() {}
 
     /** Prints the figures; or is one of the processes. */
     public static void main(String[] arguments) throws Exception {
         if (arguments.length == 1 && arguments[0].equals("serve")) {
-            say("" + new GeometryServer(0).port());
+            NetOptions options = NetOptions.defaults().withWorlds(WorldLoading.of(null, List.of()));
+            say("" + new GeometryServer(InetAddress.getLoopbackAddress(), 0, options).port());
             return;
         }
         if (arguments.length == 3 && arguments[0].equals("attack")) {
@@ -74,6 +95,7 @@ public final class Fairness {
             Waits[] waits = measure(attack, Duration.ofSeconds(Long.getLong("seconds", 8)));
             print("nobody", waits[0]);
             print(attack.name().toLowerCase(Locale.ROOT), waits[1]);
+            print("a sleep", waits[2]);
         }
     }
 
@@ -93,7 +115,10 @@ public final class Fairness {
         }
     }
 
-    /** What a healthy environment waits beside nobody, for half the time, then beside an attack, of one server. */
+    /**
+     * What a healthy environment waits beside nobody, for half the time but at most half a minute, then beside an attack, of one
+     * server; and how much too long a thread of its process slept meanwhile, which is the machine's own share.
+     */
     static Waits[] measure(Greed attack, Duration time) throws Exception {
         Healthy healthy = new Healthy();
         long nanos = time.toNanos();
@@ -104,12 +129,15 @@ public final class Fairness {
         try {
             int port = Integer.parseInt(line(server));
             healthy.ask(port, warm * 1_000_000);
-            Waits before = Waits.of(healthy.ask(port, nanos / 2));
+            Waits before = Waits.of(healthy.ask(port, Math.min(nanos / 2, MOST_ALONE_NANOS)));
             Process greedy = start(List.of("-XX:TieredStopAtLevel=1"), "attack", attack.name(), "" + port);
             try {
                 line(greedy); // its messages are made
                 Thread.sleep(warm);
-                return new Waits[] {before, Waits.of(healthy.ask(port, nanos))};
+                Sleeper sleeper = new Sleeper();
+                sleeper.start();
+                Waits beside = Waits.of(healthy.ask(port, nanos));
+                return new Waits[] {before, beside, Waits.of(sleeper.over())};
             } finally {
                 greedy.destroyForcibly().waitFor();
             }
@@ -158,6 +186,42 @@ public final class Fairness {
         System.out.flush();
     }
 
+    /** A thread that sleeps a millisecond, again and again. */
+    private static final class Sleeper extends Thread {
+        private long[] late = new long[1 << 12];
+        private int count;
+        private volatile boolean isOver;
+
+        @Override
+        public void run() {
+            while (!isOver && count < MOST_ANSWERS) {
+                long start = System.nanoTime();
+                rest(1);
+                late = noted(late, count++, System.nanoTime() - start - 1_000_000);
+            }
+        }
+
+        long[] over() throws InterruptedException {
+            isOver = true;
+            join();
+            return Arrays.copyOf(late, count);
+        }
+    }
+
+    private static long[] noted(long[] times, int count, long nanos) {
+        long[] room = count < times.length ? times : Arrays.copyOf(times, 2 * count);
+        room[count] = nanos;
+        return room;
+    }
+
+    static void rest(long millis) {
+        try {
+            Thread.sleep(millis);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
     /** An environment of some robots that asks one small bundle after the other. */
     private static final class Healthy {
         private final InitBundle world;
@@ -178,7 +242,13 @@ public final class Fairness {
             Session session = new Session();
             session.answer(world);
             for (int k = 0; k < BUNDLES; k++) {
-                requests.add(k % 2 == 0 ? moves(random) : sonars(random));
+                requests.add(
+                        switch (k % 8) {
+                            case 0, 2, 4 -> moves(random);
+                            case 6 -> step(random);
+                            case 7 -> batch(random);
+                            default -> sonars(random);
+                        });
                 answers.add(session.answer(requests.get(k)));
             }
         }
@@ -199,9 +269,28 @@ public final class Fairness {
             return new SonarRequestBundle(sonars);
         }
 
+        private static Bundle step(SplittableRandom random) {
+            return new StepBundle(
+                    0.05,
+                    List.of(),
+                    List.of(new DriveCommand(
+                            "robot " + random.nextInt(8), random.nextDouble(-1, 1), 0, random.nextDouble(-1, 1))));
+        }
+
+        private static Bundle batch(SplittableRandom random) {
+            String robot = "robot " + random.nextInt(8);
+            double[] poses = random.doubles(64, -15, 15).toArray();
+            for (int k = 1; k < poses.length; k += 4) {
+                poses[k] = 0;
+            }
+            return new BatchRequestBundle(List.of(
+                    new SenseRequest(robot, new BeamPattern.Fan(-2, 0.1, 41)),
+                    new FreePosesRequest(robot, Numbers.of(poses))));
+        }
+
         /** The nanoseconds of each answer. */
         long[] ask(int port, long nanos) throws IOException {
-            long[] times = new long[1 << 20];
+            long[] times = new long[1 << 12];
             int count = 0;
             try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
                 socket.setTcpNoDelay(true);
@@ -209,16 +298,23 @@ public final class Fairness {
                 MessageWriter out = new MessageWriter(socket.getOutputStream());
                 MessageReader in = new MessageReader(socket.getInputStream());
                 long end = System.nanoTime() + nanos;
-                while (System.nanoTime() < end && count < times.length) {
+                while (System.nanoTime() < end && count < MOST_ANSWERS) {
                     out.write(world);
-                    for (int k = 0; k < BUNDLES && count < times.length && System.nanoTime() < end; k++) {
+                    for (int k = 0; k < BUNDLES && count < MOST_ANSWERS && System.nanoTime() < end; k++) {
                         long start = System.nanoTime();
                         out.write(requests.get(k));
                         Bundle answer = in.read();
-                        times[count++] = System.nanoTime() - start;
+                        long taken = System.nanoTime() - start;
+                        times = noted(times, count++, taken);
+                        if (taken > LONG_NANOS) {
+                            System.out.println(Instant.now() + " waited " + taken / 1_000_000 + " ms for answer " + k);
+                        }
                         if (!answers.get(k).equals(answer)) {
                             throw new IOException(
                                     "answer " + k + " must be " + answers.get(k) + " (got: " + answer + ")");
+                        }
+                        if (PAUSE > 0) {
+                            rest(PAUSE);
                         }
                     }
                 }

@@ -1,6 +1,8 @@
 package robosim.geometry.bench;
 
+import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -12,6 +14,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.IntFunction;
 
 /** What greedy peers do to a server, in JSON lines that are made beforehand, again and again until they are ended. */
@@ -163,12 +166,53 @@ enum Greed {
             return text("{\"type\":\"moves\",\"moves\":"
                     + "[{\"objectName\":\"r\",\"x\":0,\"y\":1e-5,\"z\":0,\"rx\":0,\"ry\":0}]}\n");
         }
+    },
+
+    /** 32 connections of {@link LegalRequests}, which rest 60 times as long as they work and wait, and often leave without their answers. */
+    MIXED(32, 0, true) {
+        @Override
+        byte[] request() {
+            return new byte[0]; // drawn for each connection
+        }
+
+        @Override
+        void talk(Socket socket, byte[] world, byte[] request) throws IOException {
+            SplittableRandom random = new SplittableRandom(SEEDS.incrementAndGet());
+            LegalRequests legal = new LegalRequests(random.nextLong());
+            socket.setSoTimeout(120_000);
+            InputStream in = new BufferedInputStream(socket.getInputStream(), 1 << 16);
+            ask(socket, in, HELLO);
+            for (int left = random.nextInt(1, 30); left > 0; left--) {
+                long start = System.nanoTime();
+                byte[] next = left % 12 == 0 ? legal.world() : legal.request();
+                if (random.nextInt(20) == 0) {
+                    socket.getOutputStream().write(next);
+                    Fairness.rest(random.nextInt(300));
+                    return; // nobody waits for this answer
+                }
+                ask(socket, in, next);
+                Fairness.rest(Math.min(120_000, 60 * (System.nanoTime() - start) / 1_000_000));
+            }
+        }
+
+        private void ask(Socket socket, InputStream in, byte[] line) throws IOException {
+            socket.getOutputStream().write(line);
+            int got = in.read();
+            while (got != '\n') {
+                if (got < 0) {
+                    throw new EOFException("closed without an answer");
+                }
+                got = in.read();
+            }
+        }
     };
+
+    private static final AtomicLong SEEDS = new AtomicLong();
 
     private static final String ROBOT =
             "{\"kind\":\"cylinder\",\"name\":\"r\",\"moveable\":true,\"center\":[0,0,0],\"radius\":0.2,\"height\":1}";
 
-    private static final byte[] HELLO = "{\"type\":\"hello\",\"version\":1}\n".getBytes(StandardCharsets.UTF_8);
+    static final byte[] HELLO = "{\"type\":\"hello\",\"version\":1}\n".getBytes(StandardCharsets.UTF_8);
 
     private final int connections;
     private final int objects;
@@ -201,19 +245,24 @@ enum Greed {
     private void greed(int port, byte[] world, byte[] request) {
         while (true) {
             try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
-                if (reads) {
-                    Thread reader = new Thread(() -> skip(socket), "reader");
-                    reader.setDaemon(true);
-                    reader.start();
-                }
-                socket.getOutputStream().write(HELLO);
-                socket.getOutputStream().write(world);
-                while (true) {
-                    socket.getOutputStream().write(request);
-                }
+                talk(socket, world, request);
             } catch (IOException e) {
-                rest();
+                Fairness.rest(20);
             }
+        }
+    }
+
+    /** Until the connection ends. */
+    void talk(Socket socket, byte[] world, byte[] request) throws IOException {
+        if (reads) {
+            Thread reader = new Thread(() -> skip(socket), "reader");
+            reader.setDaemon(true);
+            reader.start();
+        }
+        socket.getOutputStream().write(HELLO);
+        socket.getOutputStream().write(world);
+        while (true) {
+            socket.getOutputStream().write(request);
         }
     }
 
@@ -228,14 +277,6 @@ enum Greed {
             socket.close();
         } catch (IOException e) {
             return; // the writing half sees it too
-        }
-    }
-
-    private static void rest() {
-        try {
-            Thread.sleep(20);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         }
     }
 

@@ -10,6 +10,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.LongConsumer;
+import java.util.function.Supplier;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.WorkLimit;
@@ -40,6 +41,7 @@ import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.PeerAdmission;
 
 /**
  * One socket and its session, whichever end dialled. Nothing that a peer sends can cause a failure beyond this class.
@@ -69,7 +71,18 @@ final class Connection implements Runnable {
     private final CpuTurn turn;
     private final RequestBudget effort;
     private final MessageMemory.Share messageMemory;
-    private final WorldMemory.Share worldMemory;
+    private WorldMemory.Share worldMemory;
+
+    /** What is carried out here; null until there is a session. */
+    private KeptSessions.@Nullable Kept own;
+
+    private WorkLimit limit = WorkLimit.of(Long.MAX_VALUE);
+
+    /** Whether the session may go on in another connection. */
+    private volatile boolean isSound = true;
+
+    /** The name in the peer's certificate; empty without TLS. */
+    private String identity = "";
 
     /** Both directions; null until TLS is agreed on. */
     private volatile @Nullable MessageChannel channel;
@@ -192,9 +205,8 @@ final class Connection implements Runnable {
                 secured.close();
                 throw new ProtocolException(refusal);
             }
-            LOG.log(
-                    System.Logger.Level.DEBUG,
-                    name + ": is " + secured.getSession().getPeerPrincipal());
+            identity = secured.getSession().getPeerPrincipal().getName();
+            LOG.log(System.Logger.Level.DEBUG, name + ": is " + identity);
             return secured;
         } catch (ProtocolException e) {
             throw e;
@@ -226,23 +238,68 @@ final class Connection implements Runnable {
         if (options.access().secret() != null) {
             in.mayIdle(times.stall());
         }
-        MessageChannel channel =
-                new MessageChannel(in, out, options.translator(), in, secret -> isAdmitted(in, secret));
+        MessageChannel channel = new MessageChannel(in, out, options.translator(), in, new PeerAdmission() {
+            @Override
+            public boolean admits(@Nullable String secret) throws ProtocolException {
+                return isAdmitted(in, secret);
+            }
+
+            @Override
+            public @Nullable Resumption resume(String token) throws ProtocolException {
+                return around.kept().isEnabled() ? resumed(token) : PeerAdmission.OPEN.resume(token);
+            }
+        });
         this.channel = channel;
-        WorkLimit limit = WorkLimit.of(options.quotas().work()).pausing(effort::breathe);
+        limit = WorkLimit.of(options.quotas().work()).pausing(effort::breathe);
         channel.loadBy(load -> load(load, channel, limit.meter("a request")::take));
         channel.onWrongRequest(reason -> warn("answered with an error: " + Text.line(reason)));
-        SessionListener listener = options.listeners().apply(name);
+        if (!around.kept().isEnabled()) {
+            own(); // else the hello decides
+        }
         try {
-            Session session = new Session(options.session(), listener, name);
-            converse(
-                    channel,
-                    in,
-                    session.pausing(effort::breathe, around.log())
-                            .numbered(this::message)
-                            .within(limit));
+            converse(channel, in);
         } finally {
-            listener.ended();
+            letGo(own());
+        }
+    }
+
+    /** The session of this connection, which is a new one unless its peer has resumed another. */
+    private KeptSessions.Kept own() {
+        KeptSessions.Kept present = own;
+        if (present == null) {
+            SessionListener listener = options.listeners().apply(name);
+            present =
+                    carry(new KeptSessions.Kept(new Session(options.session(), listener, name), listener, worldMemory));
+        }
+        return present;
+    }
+
+    private KeptSessions.Kept carry(KeptSessions.Kept kept) {
+        kept.session
+                .pausing(effort::breathe, around.log())
+                .numbered(this::message)
+                .within(limit);
+        own = kept;
+        worldMemory = kept.memory;
+        return kept;
+    }
+
+    private PeerAdmission.Resumption resumed(String token) throws ProtocolException {
+        InetAddress from = socket.getInetAddress();
+        if (token.isEmpty()) {
+            return new PeerAdmission.Resumption(around.kept().begin(own(), this, from, identity), null);
+        }
+        KeptSessions.Kept kept = carry(around.kept().resume(token, this, from, identity));
+        around.log().log(LOG, System.Logger.Level.INFO, name + ": resumes a session");
+        return new PeerAdmission.Resumption(token, kept.lastId);
+    }
+
+    private void letGo(KeptSessions.Kept kept) {
+        boolean isKept = around.kept().release(kept, isSound);
+        own = null;
+        worldMemory = around.worldMemory().share(); // from here on the session may be that of another connection
+        if (!isKept) {
+            kept.end();
         }
     }
 
@@ -260,15 +317,16 @@ final class Connection implements Runnable {
         return isAdmitted;
     }
 
-    private void converse(MessageChannel channel, PacedInput in, Session session) throws IOException {
-        boolean isNew = true;
+    private void converse(MessageChannel channel, PacedInput in) throws IOException {
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
             begin(request, start);
             newcomer.admit();
-            if (isNew && !(request instanceof InitBundle)) {
+            KeptSessions.Kept kept = own();
+            Session session = kept.session;
+            if (kept.isNew && !(request instanceof InitBundle)) {
                 open(channel, session);
-                isNew = false;
+                kept.isNew = false;
             }
             String refusal = refusal(request, channel.messageBytes(), session.objectCount());
             if (refusal != null && channel.encoding() == MessageChannel.Encoding.JSON) {
@@ -278,7 +336,7 @@ final class Connection implements Runnable {
                 continue;
             }
             refuse(channel, refusal);
-            isNew = false;
+            kept.isNew = false;
             if (request instanceof BatchRequestBundle batch) {
                 in.needs(batch.workBytes());
             }
@@ -286,6 +344,7 @@ final class Connection implements Runnable {
             Reply reply;
             try {
                 reply = reply(channel, session, request, channel.messageBytes());
+                kept.lastId = channel.id();
             } catch (WorkLimitException | RequestBudget.Overtime e) {
                 String reason = Text.line(String.valueOf(e.getMessage()));
                 warn("message " + message() + " was not carried out: " + reason);
@@ -329,7 +388,7 @@ final class Connection implements Runnable {
     private void open(MessageChannel channel, Session session) throws IOException {
         SessionStart opening = around.opening();
         if (!opening.requests().isEmpty()) {
-            refuse(channel, worldMemory.claim(opening.bytes()));
+            refuse(channel, claimed(() -> worldMemory.claim(opening.bytes())));
             for (Bundle request : opening.requests()) {
                 reply(channel, session, request, opening.bytes());
             }
@@ -412,9 +471,11 @@ final class Connection implements Runnable {
         } catch (WorkLimitException | RequestBudget.Overtime e) {
             throw e; // the conversation goes on
         } catch (OutOfMemoryError e) {
+            isSound = false;
             channel.refuse(NO_MEMORY);
             throw e;
         } catch (RuntimeException | Error e) {
+            isSound = false;
             channel.refuse("an internal error of the module, described in its log; you may connect again");
             throw e;
         }
@@ -425,7 +486,7 @@ final class Connection implements Runnable {
         Quotas quotas = options.quotas();
         if (request instanceof InitBundle init) {
             String tooMany = tooMany("a world", "objects", WorldRequests.count(init.objects()), quotas.objects());
-            return tooMany == null ? worldMemory.claim(messageBytes) : tooMany;
+            return tooMany == null ? claimed(() -> worldMemory.claim(messageBytes)) : tooMany;
         }
         if (request instanceof MoveBundle moves) {
             return tooMany("a bundle", "requests", moves.moves().size(), quotas.requests());
@@ -439,7 +500,7 @@ final class Connection implements Runnable {
             tooMany = tooMany == null && additions > 0
                     ? tooMany("a world", "objects", objects + additions, quotas.objects())
                     : tooMany;
-            return tooMany == null && additions > 0 ? worldMemory.claimMore(messageBytes) : tooMany;
+            return tooMany == null && additions > 0 ? claimed(() -> worldMemory.claimMore(messageBytes)) : tooMany;
         }
         if (request instanceof StepBundle step) {
             return tooMany("a bundle", "bodies and commands", step.size(), quotas.requests());
@@ -447,6 +508,15 @@ final class Connection implements Runnable {
         return "a request must be an InitBundle, a MoveBundle, a SonarRequestBundle, a BatchRequestBundle or a"
                 + " StepBundle (got: "
                 + request.getClass().getSimpleName() + ")";
+    }
+
+    /** Claims memory for a world, before which sessions without a peer have to go. */
+    private @Nullable String claimed(Supplier<@Nullable String> claim) {
+        String refusal = claim.get();
+        while (refusal != null && around.kept().makeRoom()) {
+            refusal = claim.get();
+        }
+        return refusal;
     }
 
     private static int additions(BatchRequestBundle batch) {
@@ -511,6 +581,7 @@ final class Connection implements Runnable {
     /** Ends the connection because an operator wants that. */
     void end() {
         warn("ended by an operator at message " + message());
+        isSound = false;
         abort();
     }
 

@@ -17,7 +17,8 @@ record ConnectionContext(
         MessageMemory messageMemory,
         WorldMemory worldMemory,
         LogBudget log,
-        SessionStart opening) {
+        SessionStart opening,
+        KeptSessions kept) {
     // The deadlines for closing a server or client, counted from the call.
 
     /** Requests already read are answered until then, and cut off afterwards. */
@@ -38,12 +39,13 @@ record ConnectionContext(
                 MessageMemory.ofThisProcess(),
                 WorldMemory.ofThisProcess(),
                 new LogBudget(System::nanoTime),
-                SessionStart.of(options.opening()));
+                SessionStart.of(options.opening()),
+                new KeptSessions(options.timeouts().resume(), watchdog));
     }
 
     /** The same for connections from now on, which need other keys or another secret. */
     ConnectionContext with(Access access) {
         return new ConnectionContext(
-                options.withAccess(access), figures, watchdog, turns, messageMemory, worldMemory, log, opening);
+                options.withAccess(access), figures, watchdog, turns, messageMemory, worldMemory, log, opening, kept);
     }
 }

@@ -16,7 +16,8 @@ import robosim.geometry.net.pace.Watchdog;
 
 /**
  * Dials RoboSim's environment module and answers its requests until it ends the connection; with {@link Redial} it
- * dials again and again, until it is closed. Every connection begins without a world.
+ * dials again and again, until it is closed. Every connection begins without a world, unless its environment {@linkplain
+ * Timeouts#resume resumes} the session of an earlier one.
  *
  * <!-- java: compiled -->
  * <pre>{@code
@@ -108,10 +109,14 @@ public final class GeometryClient implements Runnable, AutoCloseable {
                 new Watchdog("geometry-watch-" + place, options.timeouts().finest())) {
             ConnectionContext around = new ConnectionContext(options, figures, watchdog);
             Redial redial = options.redial();
-            if (redial == null) {
-                dialOnce(around);
-            } else {
-                dialAgain(around, redial);
+            try {
+                if (redial == null) {
+                    dialOnce(around);
+                } else {
+                    dialAgain(around, redial);
+                }
+            } finally {
+                around.kept().close();
             }
         } finally {
             management.close();

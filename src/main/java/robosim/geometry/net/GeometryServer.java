@@ -306,6 +306,7 @@ public final class GeometryServer implements AutoCloseable {
     public void close() {
         closed = true;
         stopListening();
+        around.kept().close();
         long start = System.nanoTime();
         try {
             join(acceptor, start + ConnectionContext.ANSWERS_NANOS);

@@ -90,7 +90,7 @@ public record NetOptions(
 
     /** These options with other timeouts within a message. */
     public NetOptions withTimes(Duration stall, Duration message) {
-        return withTimeouts(new Timeouts(stall, message, timeouts.idle(), timeouts.admission()));
+        return withTimeouts(new Timeouts(stall, message, timeouts.idle(), timeouts.admission(), timeouts.resume()));
     }
 
     /** These options with other quotas. */

@@ -24,6 +24,15 @@ import robosim.geometry.net.Tls;
 /** Options that {@code serve} and {@code connect} share. Passwords and secrets are never arguments. */
 public final class ConnectionOptions {
     @Option(
+            names = "--resume",
+            paramLabel = "SECONDS",
+            defaultValue = "0",
+            description =
+                    "how long the session of a dropped connection is kept for a peer that asked for that and dials"
+                            + " again (default: ${DEFAULT-VALUE}, not at all)")
+    private int resume;
+
+    @Option(
             names = "--stall",
             paramLabel = "SECONDS",
             defaultValue = "10",
@@ -151,7 +160,8 @@ public final class ConnectionOptions {
                             Duration.ofSeconds(stall),
                             Duration.ofSeconds(messageTime),
                             Duration.ofSeconds(idle),
-                            Duration.ofSeconds(admission)))
+                            Duration.ofSeconds(admission),
+                            Duration.ofSeconds(resume)))
                     .withQuotas(new Quotas(connections, objects, requests)
                             .withRequestLimit(Duration.ofNanos((long) (requestTime * 1e9)), requestWork))
                     .withAccess(access());

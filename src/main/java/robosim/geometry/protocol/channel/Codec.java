@@ -17,6 +17,11 @@ interface Codec {
     /** Answers the last message with an error, if the encoding has one after which the conversation goes on; returns whether. */
     boolean refuse(String reason) throws IOException;
 
+    /** The id of the last message that was read; null if it has none, as in Java serialization. */
+    default @Nullable Object id() {
+        return null;
+    }
+
     /** The number of the message that is awaited or was read last, as the peer counts them, from 1. */
     long messageNumber();
 

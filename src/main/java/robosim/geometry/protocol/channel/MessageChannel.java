@@ -171,6 +171,12 @@ public final class MessageChannel {
         return spoken == null ? 1 : spoken.messageNumber();
     }
 
+    /** The id of the last message that was read, a String or a Long; null if it has none. */
+    public @Nullable Object id() {
+        Codec spoken = speech;
+        return spoken == null ? null : spoken.id();
+    }
+
     /** The size in bytes of the last message read; 0 before the first. */
     public int messageBytes() {
         Codec spoken = speech;
@@ -292,6 +298,11 @@ public final class MessageChannel {
             public boolean refuse(String reason) throws IOException {
                 lines.refuse(reason);
                 return true;
+            }
+
+            @Override
+            public @Nullable Object id() {
+                return lines.id();
             }
 
             @Override

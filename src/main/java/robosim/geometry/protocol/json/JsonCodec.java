@@ -53,6 +53,11 @@ public final class JsonCodec {
 
     private int messageBytes;
 
+    /** The id of the last message, a String or a Long; null if it has none. */
+    public @Nullable Object id() {
+        return id;
+    }
+
     /** The number of the line that is awaited or was read last. */
     private volatile int message = 1;
 
@@ -270,8 +275,10 @@ public final class JsonCodec {
                             ? "a hello must have the field \"secret\" here (got: none)"
                             : "the secret must be the one that this module was given (got: another)");
         }
+        String token = hello.resume();
+        PeerAdmission.Resumption resumption = token == null ? null : gate.resume(token);
         admitted = true;
-        send(JsonMessages::writeHello);
+        send(out -> JsonMessages.writeHello(out, resumption));
     }
 
     private JsonMessages.Hello decodeHello() throws IOException {

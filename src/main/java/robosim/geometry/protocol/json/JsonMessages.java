@@ -109,10 +109,14 @@ final class JsonMessages {
     private static final Map<String, JsonObject<Reply>> REPLIES =
             Map.of("moves", MADE, "distances", DISTANCES, "answers", JsonAnswers.ANSWERS, "bodies", JsonSteps.BODIES);
 
-    private static final JsonObject<Hello> HELLO = JsonObject.of(Hello.class).omitting(null, "secret");
+    private static final JsonObject<Hello> HELLO = JsonObject.of(Hello.class).omitting(null, "secret resume");
 
-    private static final JsonObject<Welcome> WELCOME =
-            JsonObject.of(Welcome.class).form("limits", JsonObject.of(Limits.class));
+    private static final JsonObject<Welcome> WELCOME = JsonObject.of(Welcome.class)
+            .form("limits", JsonObject.of(Limits.class))
+            .omitting(null, "token");
+
+    /** Most characters of a token that is worth looking up. */
+    private static final int MAX_TOKEN = 64;
 
     private static final JsonObject<Failure> FAILURE = JsonObject.of(Failure.class);
 
@@ -199,8 +203,10 @@ final class JsonMessages {
     }
 
     /** Writes the answer to a peer's hello. */
-    static void writeHello(JsonGenerator out) throws IOException {
-        write(out, "hello", null, WELCOME, new Welcome(JsonLines.VERSION, JsonLines.MODULE, Limits.ALL));
+    static void writeHello(JsonGenerator out, PeerAdmission.@Nullable Resumption resumption) throws IOException {
+        Object lastId = resumption == null ? null : resumption.lastId();
+        String token = resumption == null ? null : resumption.token();
+        write(out, "hello", lastId, WELCOME, new Welcome(JsonLines.VERSION, JsonLines.MODULE, Limits.ALL, token));
     }
 
     /** Writes the answer to a ping. */
@@ -258,8 +264,15 @@ final class JsonMessages {
     record Ping() {}
 
     /** The first message of a peer. */
-    record Hello(String type, double version, @Nullable String secret) {
+    record Hello(
+            String type,
+            double version,
+            @Nullable String secret,
+            @Nullable String resume) {
         Hello {
+            if (resume != null && resume.length() > MAX_TOKEN) {
+                throw new IllegalArgumentException("resume must be the token of a session, or empty (got: another)");
+            }
             if (version != JsonLines.VERSION) {
                 throw new IllegalArgumentException("version must be " + JsonLines.VERSION + " (got: another)");
             }
@@ -267,11 +280,15 @@ final class JsonMessages {
 
         @Override
         public String toString() {
-            return "hello"; // the secret appears nowhere
+            return "hello"; // neither the secret nor a token appears anywhere
         }
     }
 
-    record Welcome(int version, String module, Limits limits) {}
+    record Welcome(
+            int version,
+            String module,
+            Limits limits,
+            @Nullable String token) {}
 
     record Limits(
             int messageBytes, int depth, int references, int arrayLength, int listLength, long parts, int textBytes) {
