@@ -613,12 +613,11 @@ public final class Geometry implements WorldQueries {
         castRays(engine, rays, count, out);
     }
 
-    /** Answers rays in a world or a copy of it; returns how many there are. */
-    static int castRays(World world, double[] rays, int count, SenseBuffer out) {
+    /** Answers rays in a world or a copy of it, as do the other methods of a given world. */
+    static void castRays(World world, double[] rays, int count, SenseBuffer out) {
         world.registry.begin("castRays");
         world.rays.check(rays, count);
         world.rays.cast(world.view, rays, count, Checks.present("out", out).echoes());
-        return count;
     }
 
     @Override
@@ -640,16 +639,26 @@ public final class Geometry implements WorldQueries {
 
     @Override
     public int freePoses(String name, double[] poses, long[] free) {
-        registry.begin("freePoses");
-        int id = registry.mover(name);
-        return engine.places().poses(view, id, poses, 0, FreePlaces.check("poses", poses, FreePlaces.POSE, free), free);
+        return freePoses(engine, name, poses, free);
+    }
+
+    static int freePoses(World world, String name, double[] poses, long[] free) {
+        world.registry.begin("freePoses");
+        int id = world.registry.mover(name);
+        int count = FreePlaces.check("poses", poses, FreePlaces.POSE, free);
+        return world.places().poses(world.view, id, poses, 0, count, free);
     }
 
     @Override
     public int freeEdges(String name, double[] edges, long[] free) {
-        registry.begin("freeEdges");
-        int id = registry.mover(name);
-        return engine.places().edges(view, id, edges, 0, FreePlaces.check("edges", edges, FreePlaces.EDGE, free), free);
+        return freeEdges(engine, name, edges, free);
+    }
+
+    static int freeEdges(World world, String name, double[] edges, long[] free) {
+        world.registry.begin("freeEdges");
+        int id = world.registry.mover(name);
+        int count = FreePlaces.check("edges", edges, FreePlaces.EDGE, free);
+        return world.places().edges(world.view, id, edges, 0, count, free);
     }
 
     @Override

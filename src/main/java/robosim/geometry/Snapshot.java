@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import robosim.geometry.check.Checks;
+import robosim.geometry.engine.World;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -227,28 +228,61 @@ public final class Snapshot implements WorldQueries, Serializable {
 
     @Override
     public void castRays(double[] rays, int count, SenseBuffer out) {
-        copies.answer(world -> Geometry.castRays(world, rays, count, out));
+        World world = copies.borrow();
+        try {
+            Geometry.castRays(world, rays, count, out);
+        } finally {
+            copies.giveBack(world);
+        }
     }
 
     @Override
     public int freeRays(double[] rays, int count, long[] free) {
-        return copies.answer(world -> Geometry.freeRays(world, rays, count, -1, free));
+        World world = copies.borrow();
+        try {
+            return Geometry.freeRays(world, rays, count, -1, free);
+        } finally {
+            copies.giveBack(world);
+        }
     }
 
     @Override
     public int freeRays(double[] rays, int count, String ignored, long[] free) {
-        return copies.answer(world ->
-                Geometry.freeRays(world, rays, count, world.registry.known(Checks.present("ignored", ignored)), free));
+        World world = copies.borrow();
+        try {
+            return Geometry.freeRays(
+                    world, rays, count, world.registry.known(Checks.present("ignored", ignored)), free);
+        } finally {
+            copies.giveBack(world);
+        }
     }
 
     @Override
     public int freePoses(String name, double[] poses, long[] free) {
-        return copies.answer(PlaceBatch.standing(Checks.present("name", name), poses, free), threads);
+        Checks.present("name", name);
+        if (threads > 1) {
+            return copies.answer(PlaceBatch.standing(name, poses, free), threads);
+        }
+        World world = copies.borrow(); // without a batch, so that nothing is allocated
+        try {
+            return Geometry.freePoses(world, name, poses, free);
+        } finally {
+            copies.giveBack(world);
+        }
     }
 
     @Override
     public int freeEdges(String name, double[] edges, long[] free) {
-        return copies.answer(PlaceBatch.driving(Checks.present("name", name), edges, free), threads);
+        Checks.present("name", name);
+        if (threads > 1) {
+            return copies.answer(PlaceBatch.driving(name, edges, free), threads);
+        }
+        World world = copies.borrow();
+        try {
+            return Geometry.freeEdges(world, name, edges, free);
+        } finally {
+            copies.giveBack(world);
+        }
     }
 
     @Override

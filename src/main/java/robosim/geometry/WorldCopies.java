@@ -3,7 +3,6 @@ package robosim.geometry;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
-import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.engine.World;
@@ -35,7 +34,8 @@ final class WorldCopies {
         this.copies = copies;
     }
 
-    private World borrow() {
+    /** Takes a copy that nobody else uses until it is given back. */
+    World borrow() {
         synchronized (this) {
             if (idleCount > 0) {
                 return idle[--idleCount];
@@ -45,7 +45,7 @@ final class WorldCopies {
     }
 
     /** Gives a copy back, which has not been changed. */
-    private synchronized void giveBack(World world) {
+    synchronized void giveBack(World world) {
         if (idleCount == idle.length) {
             idle = Arrays.copyOf(idle, 2 * idleCount);
         }
@@ -91,16 +91,6 @@ final class WorldCopies {
                 }.run(world, options.threads());
             }
             PatternSensor.finish(pattern, echoes);
-        } finally {
-            giveBack(world);
-        }
-    }
-
-    /** Answers a question on the calling thread. */
-    int answer(ToIntFunction<World> question) {
-        World world = borrow();
-        try {
-            return question.applyAsInt(world);
         } finally {
             giveBack(world);
         }

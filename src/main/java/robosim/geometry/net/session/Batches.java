@@ -74,6 +74,9 @@ public final class Batches {
             options = options.withMotion(motion.twist(Degrees.toDegrees(motion.ry())));
             pattern = pattern.withDuration(motion.duration());
         }
+        if (options.width() == 0 && !pattern.isLevel()) { // which a part of it may be alone
+            options = options.withHeights();
+        }
         SenseBuffer buffer =
                 request.objects() ? request.normals() ? all : objects : request.normals() ? normals : distances;
         int size = pattern.size();
@@ -83,7 +86,7 @@ public final class Batches {
         for (int first = 0; first < size; first += PART) {
             breath.run();
             int count = Math.min(PART, size - first);
-            sense(world, request.objectName(), mount, pattern, first, count, options, buffer);
+            sense(world, request.objectName(), mount, part(pattern, first, count), first, options, buffer);
             System.arraycopy(buffer.distances(), 0, measured, first, count);
             if (request.rep117()) {
                 markNearer(measured, first, count, request.min());
@@ -106,35 +109,36 @@ public final class Batches {
         }
     }
 
+    private static RayPattern part(RayPattern pattern, int first, int count) {
+        if (count == pattern.size()) {
+            return pattern;
+        }
+        double[] directions = new double[3 * count];
+        pattern.directions(first, count, directions, 0);
+        RayPattern part = RayPattern.of(directions);
+        if (!pattern.hasTimes()) {
+            return part;
+        }
+        double[] times = new double[count];
+        for (int k = 0; k < count; k++) {
+            times[k] = pattern.time(first + k);
+        }
+        return part.withTimes(times);
+    }
+
     private static void sense(
             Geometry world,
             String name,
             Pose mount,
-            RayPattern pattern,
+            RayPattern part,
             int first,
-            int count,
             SenseOptions options,
             SenseBuffer out) {
-        RayPattern part = pattern;
-        if (count < pattern.size()) {
-            double[] directions = new double[3 * count];
-            pattern.directions(first, count, directions, 0);
-            part = RayPattern.of(directions);
-            if (pattern.hasTimes()) {
-                double[] times = new double[count];
-                for (int k = 0; k < count; k++) {
-                    times[k] = pattern.time(first + k);
-                }
-                part = part.withTimes(times);
-            }
-        }
         try {
-            boolean isFlat = options.width() > 0 || pattern.isLevel(); // which a part of it may be alone
-            SenseOptions seen = isFlat ? options : options.withHeights();
             if (name.isEmpty()) {
-                world.sense(mount, part, seen, out);
+                world.sense(mount, part, options, out);
             } else {
-                world.sense(name, mount, part, seen, out);
+                world.sense(name, mount, part, options, out);
             }
         } catch (IllegalArgumentException e) {
             throw first == 0 ? e : new IllegalArgumentException("from beam " + first + " on, " + e.getMessage(), e);
