@@ -20,6 +20,7 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.TickAnswer;
 import robosim.geometry.scenario.recording.QuietLog;
 
 /**
@@ -130,6 +131,11 @@ public final class Replay {
         }
         if (answer instanceof FreeAnswer free) {
             return free.count();
+        }
+        if (answer instanceof TickAnswer tick) {
+            return (long) tick.touches().size()
+                    + tick.distances().size()
+                    + tick.singles().size();
         }
         return answer instanceof PictureAnswer picture ? (long) picture.width() * picture.height() : 1;
     }
