@@ -32,9 +32,9 @@ final class PeersSection {
 
     /** An attempt that was measured and left out. */
     private static final String NOT_FASTER =
-            "What did not help: the four children of a node in the tree of objects sorted without branches, as the trees of"
-                    + " meshes do it. Single rays took 1.1 to 1.2 times as long among 50 and 1,000 meshes, in one run on a busy"
-                    + " machine, so branches stay there.";
+            "What did not help: the four children of a node in the tree of objects sorted without branches, as the trees"
+                    + " of meshes do it. Single rays took 1.1 to 1.2 times as long among 50 and 1,000 meshes, in one run"
+                    + " on a busy machine, so branches stay there.";
 
     private PeersSection() {}
 
