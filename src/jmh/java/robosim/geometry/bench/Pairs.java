@@ -174,8 +174,9 @@ public final class Pairs {
 
     // A knotted tube of 5,856 triangles.
     private MeshObject mesh() {
-        if (mesh != null) {
-            return mesh;
+        MeshObject made = mesh;
+        if (made != null) {
+            return made;
         }
         int along = 244;
         int around = 12;
@@ -196,8 +197,9 @@ public final class Pairs {
                 faces[2 * (i * around + j) + 1] = new int[] {i * around + j, right + up, right + j};
             }
         }
-        mesh = new MeshObject(vertices, faces);
-        return mesh;
+        made = new MeshObject(vertices, faces);
+        mesh = made;
+        return made;
     }
 
     private Pair pair(GeometryObject a, GeometryObject b) {
@@ -226,12 +228,13 @@ public final class Pairs {
 
     private void write(Path file, Path model) throws IOException {
         List<String> lines = new ArrayList<>();
-        if (mesh != null) {
+        MeshObject tube = mesh;
+        if (tube != null) {
             lines.add("model " + model);
             List<String> numbers = new ArrayList<>();
-            numbers.add(mesh.vertices().size() + " " + mesh.faces().length);
-            mesh.vertices().forEach(p -> numbers.add(p.x() + " " + p.y() + " " + p.z()));
-            for (int[] face : mesh.faces()) {
+            numbers.add(tube.vertices().size() + " " + tube.faces().length);
+            tube.vertices().forEach(p -> numbers.add(p.x() + " " + p.y() + " " + p.z()));
+            for (int[] face : tube.faces()) {
                 numbers.add(face[0] + " " + face[1] + " " + face[2]);
             }
             Files.write(model, numbers);
