@@ -27,6 +27,7 @@ import robosim.geometry.model.GeometryObject.Kind;
  * @param moveable by object
  * @param places   by object: the {@link Pose#PLACE} numbers of its place
  * @param materials by object: null for the default; all of it null if no object was given one
+ * @param visuals  by object: null for none; all of it null if no object was given any
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared; the numbers are checked on the way out
 public record ObjectRows(
@@ -37,7 +38,8 @@ public record ObjectRows(
         @Nullable String[] names,
         boolean[] moveable,
         double[] places,
-        @Nullable Material @Nullable [] materials)
+        @Nullable Material @Nullable [] materials,
+        @Nullable List<GeometryObject> @Nullable [] visuals)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -76,6 +78,7 @@ public record ObjectRows(
         boolean[] moveable = new boolean[count];
         double[] places = new double[Pose.PLACE * count];
         @Nullable Material @Nullable [] materials = null;
+        @Nullable List<GeometryObject> @Nullable [] visuals = null;
         List<GeometryObject> shapes = new ArrayList<>();
         Map<Shape, Integer> seen = new HashMap<>();
         for (int k = 0; k < count; k++) {
@@ -85,6 +88,10 @@ public record ObjectRows(
             if (!object.material().isDefault()) {
                 materials = materials == null ? new Material[count] : materials;
                 materials[k] = object.material();
+            }
+            if (object.visuals() != null) {
+                visuals = visuals == null ? lists(count) : visuals;
+                visuals[k] = object.visuals();
             }
             object.pose().place(places, Pose.PLACE * k);
             double[] own = object.sizes();
@@ -98,7 +105,20 @@ public record ObjectRows(
             }
         }
         return new ObjectRows(
-                kinds, sizes, shapes.toArray(GeometryObject[]::new), shapeOf, names, moveable, places, materials);
+                kinds,
+                sizes,
+                shapes.toArray(GeometryObject[]::new),
+                shapeOf,
+                names,
+                moveable,
+                places,
+                materials,
+                visuals);
+    }
+
+    @SuppressWarnings("unchecked") // an array of a generic type
+    private static @Nullable List<GeometryObject>[] lists(int count) {
+        return new List[count];
     }
 
     private static Shape shape(GeometryObject object) {
@@ -127,11 +147,13 @@ public record ObjectRows(
         checkLength("moveable", Checks.present("moveable", moveable).length, count);
         checkLength("places", Checks.present("places", places).length, (long) Pose.PLACE * count);
         checkLength("materials", materials == null ? count : materials.length, count);
+        checkLength("visuals", visuals == null ? count : visuals.length, count);
         Checks.present("shapes", shapes);
         List<GeometryObject> objects = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
-            objects.add(object(
-                    k, new PlacedObject.Tag(names[k], moveable[k], material(k)), Pose.checked(places, Pose.PLACE * k)));
+            PlacedObject.Tag tag = new PlacedObject.Tag(
+                    names[k], moveable[k], material(k), PlacedObject.Tag.checked(visuals == null ? null : visuals[k]));
+            objects.add(object(k, tag, Pose.checked(places, Pose.PLACE * k)));
         }
         return objects;
     }
