@@ -116,9 +116,9 @@ public record ObjectRows(
                 visuals);
     }
 
-    @SuppressWarnings("unchecked") // an array of a generic type
+    @SuppressWarnings("unchecked") // there is no array of a generic type
     private static @Nullable List<GeometryObject>[] lists(int count) {
-        return new List[count];
+        return (List<GeometryObject>[]) new List<?>[count];
     }
 
     private static Shape shape(GeometryObject object) {

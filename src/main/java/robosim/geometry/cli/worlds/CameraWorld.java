@@ -74,6 +74,9 @@ final class CameraWorld {
         geometry = new Geometry(side, side, side, Dimension.SPATIAL, world.accuracy());
         for (WorldObject object : world.objects()) {
             GeometryObject seen = object.object().seen();
+            if (seen != null && isBareFloor(seen)) {
+                seen = seen.withMaterial(FLOOR); // as the ground around it
+            }
             if (seen != null) {
                 geometry.addObjectUnchecked(seen);
                 numbers.put(seen, numbers.size() + 1);
@@ -97,6 +100,10 @@ final class CameraWorld {
                         thick,
                         length + 2 * rim)
                 .withMaterial(FLOOR));
+    }
+
+    private boolean isBareFloor(GeometryObject object) {
+        return object.material().isDefault() && Floor.isFloor(object, world.width(), world.length());
     }
 
     private static void see(GeometryObject object, Consumer<GeometryObject> seen) {
