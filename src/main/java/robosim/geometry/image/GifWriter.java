@@ -20,6 +20,8 @@ public final class GifWriter {
     /** Colours are counted by the upper bits of their components. */
     private static final int BITS = 5;
 
+    private static final int BINS = 1 << (3 * BITS);
+
     private static final int CLEAR = COLOURS;
     private static final int END = COLOURS + 1;
     private static final int MOST_CODES = 1 << 12;
@@ -28,8 +30,8 @@ public final class GifWriter {
     private final int width;
     private final int height;
     private final int hundredths;
-    private final long[][] sums = new long[1 << 3 * BITS][4];
-    private final byte[] indexOf = new byte[1 << 3 * BITS];
+    private final long[][] sums = new long[BINS][4];
+    private final byte[] indexOf = new byte[BINS];
 
     // The codes of sequences of pixels: by code and next pixel, the longer sequence's code.
     private final short[] codes = new short[MOST_CODES * COLOURS];
@@ -98,8 +100,10 @@ public final class GifWriter {
     }
 
     private static int bin(int pixel) {
-        int shift = 8 - BITS;
-        return (pixel >> 16 + shift & 31) << 2 * BITS | (pixel >> 8 + shift & 31) << BITS | pixel >> shift & 31;
+        int red = pixel >> (24 - BITS) & 31;
+        int green = pixel >> (16 - BITS) & 31;
+        int blue = pixel >> (8 - BITS) & 31;
+        return red << (2 * BITS) | green << BITS | blue;
     }
 
     /** Chooses the colours of a picture, and to each bin its colour. */
@@ -111,7 +115,7 @@ public final class GifWriter {
             long[] sum = sums[bin(pixel)];
             sum[0]++;
             for (int c = 1; c <= 3; c++) {
-                sum[c] += pixel >> 24 - 8 * c & 0xff;
+                sum[c] += pixel >> (24 - 8 * c) & 0xff;
             }
         }
         List<int[]> boxes = new ArrayList<>();
@@ -137,7 +141,7 @@ public final class GifWriter {
     }
 
     private static int component(int bin, int axis) {
-        return bin >> BITS * (2 - axis) & 31;
+        return bin >> (BITS * (2 - axis)) & 31;
     }
 
     /** Halves the box whose pixels differ most along an axis; answers whether there was one to halve. */

@@ -224,8 +224,11 @@ public record Intrinsics(int width, int height, double fx, double fy, double cx,
             return RayPattern.pinhole(width, height, fx, fy, cx, cy);
         }
         double[] directions = new double[3 * width * height];
-        for (int k = 0; k < width * height; k++) {
-            aim(k % width, k / width, directions, 3 * k);
+        int at = 0;
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++, at += 3) {
+                aim(column, row, directions, at);
+            }
         }
         return RayPattern.of(width, height, directions);
     }

@@ -37,8 +37,9 @@ final class SdfVisuals {
                 return null;
             }
             Material material = SdfMaterials.ofVisual(visual);
-            boolean isPlain = material == null || material.isDefault();
-            return (isPlain ? shape : shape.withMaterial(material)).at(place.pose());
+            GeometryObject made =
+                    material == null || material.isDefault() ? shape : shape.withMaterial(material);
+            return made.at(place.pose());
         } catch (LimitProblem e) {
             throw e;
         } catch (FileProblem | IllegalArgumentException e) {
