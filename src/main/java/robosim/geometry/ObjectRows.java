@@ -180,8 +180,7 @@ record ObjectRows(
                 : kind.of(
                         pose.center(),
                         Arrays.copyOfRange(sizes, from, from + kind.sizes().size()));
-        return PlacedObject.like(
-                made, names[k], moveable[k], material(k), visuals == null ? null : visuals[k], pose);
+        return PlacedObject.like(made, names[k], moveable[k], material(k), visuals == null ? null : visuals[k], pose);
     }
 
     private GeometryObject shape(int k) {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.image.PngWriter;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.model.BoxObject;
@@ -25,7 +26,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
-import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.ColorFrame;
 
@@ -110,7 +110,8 @@ class SdfVisualsTest {
     @Test
     void worldFilesAndSerializationKeepVisuals() throws IOException, WorldException, ClassNotFoundException {
         GeometryObject chair = only("m.sdf", model("false", BALL));
-        GeometryObject hidden = new BoxObject(new Point(0, 0, 4), 1, 1, 1).named("hidden").withVisuals(List.of());
+        GeometryObject hidden =
+                new BoxObject(new Point(0, 0, 4), 1, 1, 1).named("hidden").withVisuals(List.of());
         World world = new World(20, 20, 20, List.of(new WorldObject(chair), new WorldObject(hidden)));
         Path file = folder.resolve("w.xml");
         Files.writeString(file, WorldWriter.toXml(world));

@@ -37,8 +37,7 @@ final class SdfVisuals {
                 return null;
             }
             Material material = SdfMaterials.ofVisual(visual);
-            GeometryObject made =
-                    material == null || material.isDefault() ? shape : shape.withMaterial(material);
+            GeometryObject made = material == null || material.isDefault() ? shape : shape.withMaterial(material);
             return made.at(place.pose());
         } catch (LimitProblem e) {
             throw e;
