@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.check.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
@@ -127,7 +128,7 @@ public final class ColorCamera {
     public static ColorCamera of(Intrinsics intrinsics) {
         Checks.present("intrinsics", intrinsics).pattern(); // which refuses a lens that does not fit
         double fieldOfView =
-                Math.min(179.999, 2 * Math.toDegrees(StrictMath.atan(intrinsics.width() / (2 * intrinsics.fx()))));
+                Math.min(179.999, 2 * Degrees.toDegrees(StrictMath.atan(intrinsics.width() / (2 * intrinsics.fx()))));
         return of(intrinsics.width(), intrinsics.height(), fieldOfView).planned(new FramePlan(intrinsics, fieldOfView));
     }
 

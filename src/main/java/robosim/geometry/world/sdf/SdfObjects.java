@@ -360,17 +360,9 @@ public final class SdfObjects {
         }
     }
 
-    /** Refuses a name that is too long to append a number. */
-    static void checkName(String name, SdfElement place) throws FileProblem {
-        if (name.length() > Limits.MAX_ATTRIBUTE - 20) {
-            throw place.wrong("a name with those of the enclosing models must have at most "
-                    + (Limits.MAX_ATTRIBUTE - 20) + " characters (got: " + name.length() + ")");
-        }
-    }
-
     /** A name that no other object has. */
     private String unique(String name, SdfElement place) throws FileProblem {
-        checkName(name, place);
+        SdfScope.checkName(name, place);
         String given = name;
         while (!names.add(given)) {
             given = name + " (" + namesakes.merge(name, 2, (before, two) -> before + 1) + ")";

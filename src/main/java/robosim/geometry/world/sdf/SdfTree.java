@@ -273,7 +273,7 @@ public final class SdfTree {
         account(model);
         String frame = placed == model ? "" : placed.valueOf("placement_frame");
         String path = scope.pathOf(name);
-        SdfObjects.checkName(path, placed);
+        SdfScope.checkName(path, placed);
         SdfScope inner = new SdfScope(path);
         fill(inner, model);
         SdfNode node = new SdfNode(
