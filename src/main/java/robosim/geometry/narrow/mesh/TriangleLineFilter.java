@@ -119,12 +119,12 @@ final class TriangleLineFilter {
 
     /** Tries the triangles from one position in the order of the leaves to another. */
     void sift(int first, int last) {
+        if (isFlat) {
+            siftInPlane(first, last);
+            return;
+        }
         for (int place = first; place <= last; place++) {
-            if (isFlat) {
-                tryProjection(place);
-            } else {
-                tryTriangle(place);
-            }
+            tryTriangle(place);
         }
     }
 
@@ -171,6 +171,12 @@ final class TriangleLineFilter {
         double distance = ((u * az + v * bz + w * cz) / whole - lineMain) * inverseMain;
         double spread = Math.abs(az - bz) + Math.abs(bz - cz) + Math.abs(cz - az);
         take(place, distance, FilterBound.bound(16 * pad + spread * (32 * doubt / Math.abs(whole))), distance);
+    }
+
+    private void siftInPlane(int first, int last) {
+        for (int place = first; place <= last; place++) {
+            tryProjection(place);
+        }
     }
 
     /**
