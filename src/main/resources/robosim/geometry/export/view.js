@@ -1,6 +1,7 @@
 // One world at one moment, drawn.
 
-const TRAIL = 400, FRESH = 8;
+/** The steps of a trail, of which all trails together have at most some thousand; and for how many steps a refused move is marked. */
+const TRAIL = 400, TRAILS = 16000, FRESH = 8;
 /** The sides of round things by the number of pieces in a world; where the processor draws, of moveable ones that cast shadows. */
 const SIDES = 40, FEW_SIDES = 20, FEWEST_SIDES = 12, MANY_PIECES = 2000, SOME_PIECES = 500;
 const LOOKS = {
@@ -185,13 +186,14 @@ class View {
   }
 
   trail(track, k, up) {
-    const last = lastUpTo(track.frames, Math.floor(this.frame)), first = Math.max(0, lastUpTo(track.frames, this.frame - TRAIL));
+    const steps = clamp((this.plain ? TRAILS / 4 : TRAILS) / this.chapter.movers.length, FRESH, TRAIL);
+    const last = lastUpTo(track.frames, Math.floor(this.frame)), first = Math.max(0, lastUpTo(track.frames, this.frame - steps));
     const color = this.data.objects[this.chapter.movers[k]].paint, flat = Math.abs(track.poses[1] - track.poses[7 * last + 1]) < 1e-9;
     let from = null;
     for (let j = first; j <= last + 1; j++) {
       const p = j > last ? this.poses[k] : [track.poses[7 * j], track.poses[7 * j + 1], track.poses[7 * j + 2]], to = [p[0], flat ? up : p[1], p[2]];
       if (from && (from[0] !== to[0] || from[2] !== to[2] || from[1] !== to[1]))
-        this.line(from, to, color, 0.15 + 0.6 * clamp((track.frames[Math.min(j, last)] - this.frame + TRAIL) / TRAIL, 0, 1), 2);
+        this.line(from, to, color, 0.15 + 0.6 * clamp((track.frames[Math.min(j, last)] - this.frame + steps) / steps, 0, 1), 2);
       from = to;
     }
   }
