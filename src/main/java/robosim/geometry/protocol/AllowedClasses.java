@@ -23,6 +23,8 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.ListedObject;
+import robosim.geometry.protocol.batch.MeasureAnswer;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -94,6 +96,9 @@ final class AllowedClasses {
             SceneLight.Lamp.class,
             SceneLight.Spot.class,
             FreeEdgesRequest.class,
+            MeasureRequest.class,
+            MeasureRequest.Question.class,
+            MeasureAnswer.class,
             BatchAnswerBundle.class,
             SenseAnswer.class,
             FreeAnswer.class,

@@ -9,6 +9,8 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.MeasureAnswer;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
@@ -50,6 +52,13 @@ final class BatchMismatch {
             }
             return place;
         }
+        if (before instanceof MeasureAnswer one && now instanceof MeasureAnswer two) {
+            int number = 0;
+            while (Double.compare(one.numbers().get(number), two.numbers().get(number)) == 0) {
+                number++;
+            }
+            return number;
+        }
         if (before instanceof PictureAnswer one && now instanceof PictureAnswer two) {
             int pixel = 0;
             while (color(one, pixel) == color(two, pixel)) {
@@ -88,6 +97,9 @@ final class BatchMismatch {
         if (request instanceof WorldRequest) {
             return "request for " + Text.line(request.toString());
         }
+        if (request instanceof MeasureRequest measure) {
+            return "batch of " + measure.size() + " " + measure.question() + " of " + Text.quoted(measure.objectName());
+        }
         String what =
                 request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
         boolean isCarried = request.isAboutMover(); // a sensor may stand in the world
@@ -104,6 +116,11 @@ final class BatchMismatch {
         }
         if (answer instanceof FreeAnswer free) {
             return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
+        }
+        if (answer instanceof MeasureAnswer measure) {
+            return item < 0
+                    ? "numbers"
+                    : "number " + item + ": " + measure.numbers().get(item);
         }
         if (answer instanceof PictureAnswer picture) {
             return item < 0

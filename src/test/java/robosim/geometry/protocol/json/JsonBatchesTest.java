@@ -212,7 +212,7 @@ class JsonBatchesTest {
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
-                        "must be sense, poses, edges, picture, world, pose, place, add, remove, move, moveToContact,"
+                        "must be sense, poses, edges, measure, picture, world, pose, place, add, remove, move, moveToContact,"
                                 + " moveAndSlide, list or separate (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
