@@ -23,7 +23,6 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.ListedObject;
-import robosim.geometry.protocol.batch.MeasureAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
@@ -98,7 +97,7 @@ final class AllowedClasses {
             FreeEdgesRequest.class,
             MeasureRequest.class,
             MeasureRequest.Question.class,
-            MeasureAnswer.class,
+            MeasureRequest.Answer.class,
             BatchAnswerBundle.class,
             SenseAnswer.class,
             FreeAnswer.class,

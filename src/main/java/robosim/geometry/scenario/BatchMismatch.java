@@ -9,7 +9,6 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
-import robosim.geometry.protocol.batch.MeasureAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
@@ -52,7 +51,7 @@ final class BatchMismatch {
             }
             return place;
         }
-        if (before instanceof MeasureAnswer one && now instanceof MeasureAnswer two) {
+        if (before instanceof MeasureRequest.Answer one && now instanceof MeasureRequest.Answer two) {
             int number = 0;
             while (Double.compare(one.numbers().get(number), two.numbers().get(number)) == 0) {
                 number++;
@@ -117,7 +116,7 @@ final class BatchMismatch {
         if (answer instanceof FreeAnswer free) {
             return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
         }
-        if (answer instanceof MeasureAnswer measure) {
+        if (answer instanceof MeasureRequest.Answer measure) {
             return item < 0
                     ? "numbers"
                     : "number " + item + ": " + measure.numbers().get(item);

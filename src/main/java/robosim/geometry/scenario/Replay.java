@@ -18,7 +18,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
-import robosim.geometry.protocol.batch.MeasureAnswer;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.scenario.recording.QuietLog;
@@ -132,7 +132,7 @@ public final class Replay {
         if (answer instanceof FreeAnswer free) {
             return free.count();
         }
-        if (answer instanceof MeasureAnswer measure) {
+        if (answer instanceof MeasureRequest.Answer measure) {
             return measure.numbers().size();
         }
         return answer instanceof PictureAnswer picture ? (long) picture.width() * picture.height() : 1;

@@ -43,7 +43,6 @@ import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
-import robosim.geometry.protocol.batch.MeasureAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.MeasureRequest.Question;
 import robosim.geometry.protocol.batch.Mount;
@@ -482,15 +481,15 @@ class BatchSessionTest {
             }
             double[] one = new double[count];
             clear += world.clearances("cart", poses, 2, avoid.withMargin(0), one);
-            assertThat(answers.get(0)).isEqualTo(new MeasureAnswer(new Numbers(one)));
+            assertThat(answers.get(0)).isEqualTo(new MeasureRequest.Answer(new Numbers(one)));
             double[] ten = new double[10 * count];
             world.clearances("cart", poses, INFINITY, Avoidance.ALL, ten);
-            assertThat(answers.get(1)).isEqualTo(new MeasureAnswer(new Numbers(ten)));
+            assertThat(answers.get(1)).isEqualTo(new MeasureRequest.Answer(new Numbers(ten)));
             double[] two = new double[edges.length / 4];
             world.edgeFractions("cart", edges, avoid, two);
-            assertThat(answers.get(2)).isEqualTo(new MeasureAnswer(new Numbers(two)));
+            assertThat(answers.get(2)).isEqualTo(new MeasureRequest.Answer(new Numbers(two)));
             within += world.driveFractions("cart", drives, avoid, one);
-            assertThat(answers.get(3)).isEqualTo(new MeasureAnswer(new Numbers(one)));
+            assertThat(answers.get(3)).isEqualTo(new MeasureRequest.Answer(new Numbers(one)));
         }
         assertThat(clear).isBetween(20, 260);
         assertThat(within).isBetween(10, 260);

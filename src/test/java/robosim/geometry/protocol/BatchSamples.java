@@ -15,7 +15,6 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.ListedObject;
-import robosim.geometry.protocol.batch.MeasureAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
@@ -146,7 +145,7 @@ public final class BatchSamples {
                         new MeasureRequest(
                                 "a", MeasureRequest.Question.EDGES, Numbers.of(new double[8]), 1, 0, List.of("b")))),
                 new BatchAnswerBundle(List.of(
-                        new MeasureAnswer(Numbers.of(-0.5, INFINITY)), new MeasureAnswer(Numbers.NONE))));
+                        new MeasureRequest.Answer(Numbers.of(-0.5, INFINITY)), new MeasureRequest.Answer(Numbers.NONE))));
     }
 
     /** Requests about the world's objects, and answers to them; what came after the frames. */

@@ -25,7 +25,6 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
-import robosim.geometry.protocol.batch.MeasureAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
@@ -192,18 +191,18 @@ class BatchReplayTest {
         List<Step> steps = recorded(MEASURES);
         Reply told = Objects.requireNonNull(steps.get(1).expected());
         List<BatchAnswer> answers = new ArrayList<>(((BatchAnswerBundle) told.bundle()).answers());
-        Numbers distances = ((MeasureAnswer) answers.get(0)).numbers();
+        Numbers distances = ((MeasureRequest.Answer) answers.get(0)).numbers();
         assertThat(distances.get(0)).isCloseTo(2.65, within(1e-12));
         assertThat(distances.get(1)).isLessThan(-0.1);
-        double part = ((MeasureAnswer) answers.get(1)).numbers().get(0);
+        double part = ((MeasureRequest.Answer) answers.get(1)).numbers().get(0);
         assertThat(part).isBetween(0.2, 0.4);
-        assertThat(answers.get(2)).isEqualTo(new MeasureAnswer(Numbers.of(1)));
+        assertThat(answers.get(2)).isEqualTo(new MeasureRequest.Answer(Numbers.of(1)));
         Replay replay = new Replay(SessionOptions.ROBOSIM);
         for (Step step : steps) {
             assertThat(replay.step(step)).isNull();
         }
         assertThat(replay.compared()).isEqualTo(4);
-        answers.set(1, new MeasureAnswer(Numbers.of(Math.nextUp(part))));
+        answers.set(1, new MeasureRequest.Answer(Numbers.of(Math.nextUp(part))));
         Replay other = new Replay(SessionOptions.ROBOSIM);
         other.step(steps.get(0));
         assertThat(String.valueOf(other.step(new Step(MEASURES, new Reply(new BatchAnswerBundle(answers))))))

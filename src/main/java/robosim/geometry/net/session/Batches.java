@@ -13,7 +13,6 @@ import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
-import robosim.geometry.protocol.batch.MeasureAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.MeasureRequest.Question;
 import robosim.geometry.protocol.batch.Numbers;
@@ -175,7 +174,7 @@ public final class Batches {
         return FreeAnswer.of(size, free);
     }
 
-    private static MeasureAnswer measure(Geometry world, MeasureRequest request, Runnable breath) {
+    private static MeasureRequest.Answer measure(Geometry world, MeasureRequest request, Runnable breath) {
         Question question = request.question();
         Avoidance avoid = Avoidance.margin(request.margin()).andIgnoring(request.ignored());
         int size = request.size();
@@ -199,6 +198,6 @@ public final class Batches {
             }
             System.arraycopy(found, 0, numbers, question.answered * first, found.length);
         }
-        return new MeasureAnswer(new Numbers(numbers));
+        return new MeasureRequest.Answer(new Numbers(numbers));
     }
 }

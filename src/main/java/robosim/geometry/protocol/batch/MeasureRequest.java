@@ -7,7 +7,7 @@ import robosim.geometry.check.Checks;
 
 /**
  * Asks for numbers about many places or motions of a moveable object, with a margin and without the objects that do not count;
- * answered by a {@link MeasureAnswer}. Nothing is moved.
+ * answered by an {@link Answer}. Nothing is moved.
  *
  * @param objectName the name of a moveable object
  * @param question   what to measure
@@ -54,7 +54,7 @@ public record MeasureRequest(
         if (Checks.present("question", question) == Question.DRIVES) {
             checkDrives(numbers);
         } else {
-            Places.check("numbers", numbers, question.given);
+            FreePosesRequest.check("numbers", numbers, question.given);
         }
         Checks.range(0, max);
         margin = Checks.clearance(margin);
@@ -88,5 +88,26 @@ public record MeasureRequest(
     @Override
     public int size() {
         return numbers.size() / question.given;
+    }
+
+    /**
+     * What was measured.
+     *
+     * @param numbers those of each place or motion, one after the other, as {@link Question} lists them
+     */
+    public record Answer(Numbers numbers) implements BatchAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null. */
+        public Answer {
+            Checks.present("numbers", numbers);
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return request instanceof MeasureRequest measure
+                    && numbers.size() == measure.size() * measure.question().answered;
+        }
     }
 }

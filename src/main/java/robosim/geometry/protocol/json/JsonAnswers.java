@@ -11,7 +11,6 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.ListedObject;
-import robosim.geometry.protocol.batch.MeasureAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -74,7 +73,7 @@ final class JsonAnswers {
                     JsonObject.of(FreeAnswer.class)
                             .form("count", JsonForm.whole(0, MessageLimits.MAX_POSES))
                             .form("free", JsonForm.bytes(1, MessageLimits.MAX_POSES / 8))),
-            JsonKinds.kind("", JsonObject.of(MeasureAnswer.class).form("numbers", JsonForm.packed(1, MEASURED))),
+            JsonKinds.kind("", JsonObject.of(MeasureRequest.Answer.class).form("numbers", JsonForm.packed(1, MEASURED))),
             JsonKinds.kind(
                     "",
                     JsonObject.of(WorldAnswer.Described.class)
