@@ -6,9 +6,9 @@
     env = gymnasium.make("robosim/Reach-v0")
     many = robosim.gym.RobosimVectorEnv("reach", 64)
 
-`pip install "./python[gym]"` installs what this needs: gymnasium and numpy. All worlds of a vector are in one process of the
-geometry module, each with a connection of its own; a tick sends all actions before it waits for the first answer. An episode depends on its
-seed and its actions alone, to the bit: not on the number of environments, on the machine or on earlier episodes.
+`pip install "./python[gym]"` installs what this needs: gymnasium and numpy. All worlds of a vector are copies in one process of
+the geometry module, which a message for each of its processors steps and measures together. An episode depends on its seed and
+its actions alone, to the bit: not on the number of environments, on the machine or on earlier episodes.
 """
 
 import base64
@@ -117,24 +117,84 @@ def _bytes(message: Json) -> bytes:
     return json.dumps(message, allow_nan=False, separators=(",", ":")).encode() + b"\n"
 
 
+class _Seen(NamedTuple):
+    """What was measured in several worlds: an array each, with a row for each world."""
+
+    robot: Any  # X, Y, Z, heading, velocity forward, up and right, speed of turning
+    crate: Any  # the same; None without a crate
+    touches: Any  # contacts of the robot, but with the crate
+    scans: List[Any]  # distances of each sensor
+
+
+class _Judge:
+    """Observations, rewards and ends of episodes, for several worlds at a time."""
+
+    def __init__(self, task: str, options: Options, count: int) -> None:
+        self.task = task
+        self.options = options
+        self.goals = numpy.zeros((count, 3))
+        self.left = numpy.zeros(count)  # what was still to go before a step
+
+    def begin(self, index: int, goal: Optional[Sequence[float]]) -> None:
+        if goal is not None:
+            self.goals[index] = goal
+
+    def observed(self, seen: _Seen) -> Dict[str, Any]:
+        options, robot, found = self.options, seen.robot, {}
+        x, z, heading = robot[:, 0], robot[:, 2], robot[:, 3]
+        if "laser" in options.observe:
+            found["laser"] = seen.scans[0]
+        if "camera" in options.observe:
+            found["camera"] = seen.scans[-1].reshape(-1, options.camera[1], options.camera[0])
+        if "pose" in options.observe:
+            found["pose"] = numpy.stack((x, z, numpy.cos(heading), numpy.sin(heading)), 1).astype("float32")
+        if "velocity" in options.observe:
+            found["velocity"] = robot[:, (4, 6, 7)].astype("float32")
+        if "goal" in options.observe:
+            away, toward = numpy.zeros(len(x)), numpy.zeros(len(x))
+            if self.task != "follow_wall":
+                away = numpy.hypot(self.goals[:, 0] - x, self.goals[:, 2] - z)
+                toward = numpy.arctan2(z - self.goals[:, 2], self.goals[:, 0] - x) - heading
+            found["goal"] = numpy.stack((away, numpy.cos(toward), numpy.sin(toward)), 1).astype("float32")
+        return {name: found[name] for name in options.observe}
+
+    def judged(self, seen: _Seen, begun: Any) -> Tuple[Any, Any]:
+        """Rewards, and which episodes are over; of those that have just begun neither."""
+        options, robot = self.options, seen.robot
+        touches = seen.touches > 0
+        if self.task == "follow_wall":
+            scan = seen.scans[0]
+            right = scan[:, : max(1, scan.shape[1] // 2)].min(1).astype("float64")  # beams count from the right to the left
+            rewards = robot[:, 4] * options.seconds * numpy.exp(-abs(right - options.distance) / 0.3) - 1.0 * touches
+            over = touches
+        else:
+            body = seen.crate if self.task == "push" else robot
+            left = numpy.hypot(self.goals[:, 0] - body[:, 0], self.goals[:, 2] - body[:, 2])
+            over = left < _NEAR
+            rewards = (self.left - left) - 0.01 + _TOUCH * touches + 10.0 * over
+            self.left = left
+        return numpy.where(begun, 0.0, rewards), over & ~begun
+
+
 class _Episodes:
-    """One world and its robot: begins episodes, and carries out their steps in two halves, so that many can be under way."""
+    """One world and its robot, on a connection of its own: begins episodes and carries out their steps."""
 
     def __init__(self, task: str, options: Options, server: Server) -> None:
         self.task = task
         self.options = options
         self.generator = numpy.random.default_rng()
+        self.judge = _Judge(task, options, 1)
         self._module = server.connect()
         self._line = _Line(self._module)
         self._opening = self._made(options, task)
-        self._sensors = self._sensed(options)
+        self.senses = self._sensed(options)
+        self._sensors = _bytes({"type": "batch", "requests": self.senses}) if self.senses else b""
         self._head = f'{{"type":"step","seconds":{options.seconds!r},"bodies":[],"commands":[{{"objectName":{json.dumps(options.robot)}'
-        self._has_right = options.drive in ("omnidirectional", "velocity", "force")
-        self._width = 3 if self._has_right else 2
+        self.has_right = options.drive in ("omnidirectional", "velocity", "force")
+        self.width = 3 if self.has_right else 2
         self.actions: List[List[float]] = []
         self.start: Json = {}
         self.steps = 0
-        self._left = 0.0
 
     @staticmethod
     def _made(options: Options, task: str) -> Json:
@@ -146,22 +206,22 @@ class _Episodes:
             return {"type": "load", "file": file, "files": files, "named": True}
         return {"type": "init", "objects": list(world), "answer": True}
 
-    def _sensed(self, options: Options) -> bytes:
-        """The request that measures after each step."""
+    def _sensed(self, options: Options) -> List[Json]:
+        """The requests that measure after each step."""
         requests = []
         if "laser" in options.observe or self.task == "follow_wall":
             step = options.field / max(options.beams - 1, 1)
             requests.append(sense(options.robot, fan(-options.field / 2, step, options.beams), max=options.reach))
         if "camera" in options.observe:
             requests.append(sense(options.robot, pinhole(*options.camera, options.camera_field), max=options.reach))
-        return _bytes({"type": "batch", "requests": requests}) if requests else b""
+        return requests
 
     def seed(self, seed: Optional[int]) -> None:
         if seed is not None:
             self.generator = numpy.random.default_rng(seed)
 
-    def begin(self, start: Optional[Json] = None) -> Dict[str, Any]:
-        """Begins an episode at a drawn place, or at one given; returns the first observation."""
+    def prepare(self, start: Optional[Json] = None) -> bytes:
+        """Makes the world of an episode at a drawn place, or at one given; returns the step that gives it its bodies."""
         options = self.options
         self._module.ask(self._opening, "answers")
         self._objects = {each.name: each for each in self._module.objects()}
@@ -173,10 +233,24 @@ class _Episodes:
         bodies = [body(options.robot, drive=self._drive(), velocity=(0, 0, 0, 0))]
         if self.task == "push":
             bodies.append(body(options.crate, mass=5, floor_friction=0.4, velocity=(0, 0, 0, 0)))
-        self._line.send(_bytes({"type": "step", "seconds": 0, "bodies": bodies, "commands": []}) + self._sensors)
+        return _bytes({"type": "step", "seconds": 0, "bodies": bodies, "commands": []})
+
+    def begin(self, start: Optional[Json] = None) -> Dict[str, Any]:
+        """Begins an episode at a drawn place, or at one given; returns the first observation."""
+        self._line.send(self.prepare(start) + self._sensors)
         self.actions = []
         self.steps = 0
-        return self._finish()[0]
+        return self._finish(True)[0]
+
+    def copy(self, index: int) -> Json:
+        """Begins an episode in a copy of the world; returns how it begins."""
+        self._line.send(self.prepare() + _bytes({"type": "batch", "requests": [{"kind": "copy", "index": index}]}))
+        self._line.receive("bodies")
+        _answer(self._line)
+        return self.start
+
+    def lane(self) -> _Line:
+        return self._line
 
     def _drive(self) -> Json:
         options = self.options
@@ -232,7 +306,7 @@ class _Episodes:
                 self._place(name, checkpoint.start[name])
         self.start = checkpoint.start
         self._line.send(_bytes({"type": "step", "seconds": 0, "bodies": [], "commands": []}) + self._sensors)
-        observation = self._finish()[0]
+        observation = self._finish(True)[0]
         for action in checkpoint.actions:
             self.act(action)
             observation = self.finish()[0]
@@ -242,15 +316,15 @@ class _Episodes:
     def checked(self, action: Sequence[float]) -> List[float]:
         """An action as shares from -1 to 1, or why it is none."""
         numbers = [float(share) for share in action]
-        if len(numbers) != self._width or not all(map(math.isfinite, numbers)):
-            raise ValueError(f"an action must have {self._width} finite numbers from -1 to 1 (got: {numbers})")
+        if len(numbers) != self.width or not all(map(math.isfinite, numbers)):
+            raise ValueError(f"an action must have {self.width} finite numbers from -1 to 1 (got: {numbers})")
         return [min(1.0, max(-1.0, number)) for number in numbers]
 
     def act(self, shares: List[float]) -> None:
         """Sends a step; `finish` waits for it."""
         self.actions.append(shares)
         options = self.options
-        right = shares[1] * options.max_speed if self._has_right else 0.0
+        right = shares[1] * options.max_speed if self.has_right else 0.0
         forward, turn = shares[0] * options.max_speed, shares[-1] * options.max_turn
         # By hand, as every step of every world sends one: the repr of a number is its JSON.
         told = f'{self._head},"forward":{forward!r},"right":{right!r},"turnRadians":{turn!r}}}]}}\n'
@@ -259,65 +333,28 @@ class _Episodes:
     def finish(self) -> Tuple[Dict[str, Any], float, bool, bool, Json]:
         """The observation, the reward, whether the episode is over or cut off, and what else is known."""
         self.steps += 1
-        observation, reward, is_over, info = self._finish()
+        observation, reward, is_over, info = self._finish(False)
         return observation, reward, is_over, self.steps >= self.options.horizon, info
 
-    def _finish(self) -> Tuple[Dict[str, Any], float, bool, Json]:
+    def _finish(self, begun: bool) -> Tuple[Dict[str, Any], float, bool, Json]:
         options = self.options
         answer = self._line.receive("bodies")
         sensed = self._line.receive("answers")["answers"] if self._sensors else []
         bodies = {each["objectName"]: each for each in answer["bodies"]}
-        robot = bodies[options.robot]
         contacts = [each.get("other") if each["objectName"] == options.robot else each["objectName"]
                     for each in answer["contacts"]
                     if options.robot in (each["objectName"], each.get("other")) and each["phase"] != "END"]
-        x, _, z = robot["center"]
-        heading = robot["heading"]
-        scans = [_distances(each, options.reach) for each in sensed]
-        observation: Dict[str, Any] = {}
-        if "laser" in options.observe:
-            observation["laser"] = scans[0]
-        if "camera" in options.observe:
-            observation["camera"] = scans[-1].reshape(options.camera[1], options.camera[0])
-        if "pose" in options.observe:
-            observation["pose"] = numpy.array((x, z, math.cos(heading), math.sin(heading)), "float32")
-        if "velocity" in options.observe:
-            velocity = robot["velocity"]
-            observation["velocity"] = numpy.array((velocity["x"], velocity["z"], velocity["ry"]), "float32")
-        info: Json = {"center": robot["center"], "heading": heading, "contacts": contacts}
-        goal = self.start.get("goal")
-        away = 0.0
-        if goal is not None:
-            away = math.hypot(goal[0] - x, goal[2] - z)
-            toward = math.atan2(z - goal[2], goal[0] - x) - heading
-            info["goal"] = goal
-        if "goal" in options.observe:
-            observation["goal"] = numpy.array((away, math.cos(toward), math.sin(toward)) if goal is not None else (0, 1, 0),
-                                              "float32")
-        reward, is_over = self._judged(bodies, away, scans, contacts)
-        return observation, reward, is_over, info
-
-    def _judged(self, bodies: Json, away: float, scans: List[Any], contacts: List[Any]) -> Tuple[float, bool]:
-        """The reward of a step and whether the episode is over."""
-        options = self.options
-        if self.task == "follow_wall":
-            scan = scans[0]
-            right = float(scan[: len(scan) // 2].min())  # beams count from the right to the left
-            forward = bodies[options.robot]["velocity"]["x"] * options.seconds
-            reward = forward * math.exp(-abs(right - options.distance) / 0.3)
-            return (reward - 1.0, True) if contacts else (reward, False)
         touches = [other for other in contacts if other != options.crate or self.task != "push"]
-        if self.task == "push":
-            crate = bodies[options.crate]["center"]
-            goal = self.start.get("goal") or crate
-            left = math.hypot(goal[0] - crate[0], goal[2] - crate[2])
-        else:
-            left = away
-        before = self._left if self.steps > 0 else left
-        self._left = left
-        is_there = left < _NEAR and self.start.get("goal") is not None
-        reward = (before - left) - 0.01 + (_TOUCH if touches else 0.0) + (10.0 if is_there else 0.0)
-        return reward, is_there
+        seen = _Seen(_state(bodies[options.robot]), _state(bodies[options.crate]) if self.task == "push" else None,
+                     numpy.array([len(touches)]), [_distances(each, options.reach)[None] for each in sensed])
+        goal = self.start.get("goal")
+        self.judge.begin(0, goal)
+        rewards, over = self.judge.judged(seen, numpy.array([begun]))
+        robot = bodies[options.robot]
+        info: Json = {"center": robot["center"], "heading": robot["heading"], "contacts": contacts}
+        if goal is not None:
+            info["goal"] = goal
+        return {name: each[0] for name, each in self.judge.observed(seen).items()}, float(rewards[0]), bool(over[0]), info
 
     def checkpoint(self) -> Checkpoint:
         return Checkpoint(self.start, [list(action) for action in self.actions],
@@ -336,7 +373,7 @@ class _Episodes:
         return spaces.Dict({name: kinds[name] for name in options.observe})
 
     def action_space(self) -> spaces.Box:
-        return spaces.Box(-1.0, 1.0, (self._width,), numpy.float32)
+        return spaces.Box(-1.0, 1.0, (self.width,), numpy.float32)
 
     def plan(self) -> Any:
         """The world from above, as an image."""
@@ -346,11 +383,53 @@ class _Episodes:
         self._module.close()
 
 
+def _state(body: Json) -> Any:
+    velocity = body["velocity"]
+    return numpy.array([[*body["center"], body["heading"], velocity["x"], velocity["y"], velocity["z"], velocity["ry"]]])
+
+
 def _distances(answer: Json, reach: float) -> Any:
     if "distances" not in answer:
         raise RequestError(str(answer.get("error", answer)))
     distances = numpy.frombuffer(base64.b64decode(answer["distances"]), "<f8").astype("float32")
     return numpy.minimum(distances, numpy.float32(reach), out=distances)  # where nothing echoes
+
+
+def _answer(line: _Line) -> Json:
+    """The answer to a batch of one request."""
+    answer: Json = line.receive("answers")["answers"][0]
+    if "error" in answer:
+        raise RequestError(answer["error"])
+    return answer
+
+
+class _Lane:
+    """A connection with copies of a world, one for each of some environments."""
+
+    def __init__(self, task: str, options: Options, server: Server, indexes: Any) -> None:
+        self.indexes = indexes  # of the environments, from the first to the last
+        self.episodes = _Episodes(task, options, server)
+        self._options = options
+        self._bodies = [options.robot] + ([options.crate] if task == "push" else [])
+        senses = self.episodes.senses
+        tick = {"kind": "tick", "objectName": options.robot, "bodies": self._bodies, "senses": senses, "single": True,
+                "commands": "@"}
+        self._head, self._tail = _bytes({"type": "batch", "requests": [tick]}).split(b"@")
+        patterns = [each["pattern"] for each in senses]
+        self._sizes = [each.get("count") or each["width"] * each["height"] for each in patterns]
+
+    def send(self, commands: Any) -> None:
+        own = numpy.ascontiguousarray(commands[self.indexes], "<f8")
+        self.episodes.lane().send(self._head + base64.b64encode(own.tobytes()) + self._tail)
+
+    def receive(self) -> _Seen:
+        answer = _answer(self.episodes.lane())
+        count = len(self.indexes)
+        states = numpy.frombuffer(base64.b64decode(answer["states"]), "<f8").reshape(count, len(self._bodies), 8)
+        touches = numpy.frombuffer(base64.b64decode(answer["touches"]), "<i4").reshape(count, len(self._bodies))
+        scans = numpy.frombuffer(base64.b64decode(answer.get("singles", "")), "<f4").reshape(count, -1)
+        scans = numpy.minimum(scans, numpy.float32(self._options.reach))  # where nothing echoes
+        return _Seen(states[:, 0], states[:, -1], touches[:, 0], numpy.split(scans, numpy.cumsum(self._sizes)[:-1], 1))
 
 
 def _checked(task: str, given: Json) -> Options:
@@ -417,53 +496,84 @@ class RobosimVectorEnv(VectorEnv):
         if num_envs < 1:
             raise ValueError(f"num_envs must be at least 1 (got: {num_envs})")
         self.num_envs = num_envs
-        self._own = None if server is not None else serve(connections=num_envs)
+        self._task = task
+        self._options = checked
+        count = min(num_envs, os.cpu_count() or 1)
+        self._own = None if server is not None else serve(connections=count)
         used = server or self._own
-        self._all = [_Episodes(task, checked, used) for _ in range(num_envs)]  # type: ignore[arg-type]
-        self.single_observation_space = self._all[0].observations()
-        self.single_action_space = self._all[0].action_space()
+        self._lanes = [_Lane(task, checked, used, indexes)  # type: ignore[arg-type]
+                       for indexes in numpy.array_split(numpy.arange(num_envs), count)]
+        one = self._lanes[0].episodes
+        self._width, self._has_right = one.width, one.has_right
+        self.single_observation_space = one.observations()
+        self.single_action_space = one.action_space()
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
+        self._judge = _Judge(task, checked, num_envs)
+        self._generators = [numpy.random.default_rng() for _ in range(num_envs)]
+        self._steps = numpy.zeros(num_envs, int)
         self._over = numpy.zeros(num_envs, bool)
 
     def reset(self, *, seed: Union[int, Sequence[Optional[int]], None] = None, options: Optional[Json] = None) -> Tuple[Any, Json]:
         seeds = [None if seed is None else seed + k for k in range(self.num_envs)] if not isinstance(seed, Sequence) else seed
-        for each, own in zip(self._all, seeds):
-            each.seed(own)
-        self._over[:] = False
-        return self._together([each.begin() for each in self._all]), {}
+        for k, own in enumerate(seeds):
+            if own is not None:
+                self._generators[k] = numpy.random.default_rng(own)
+        self._over[:] = True
+        return self._stepped(numpy.zeros((self.num_envs, self._width)))[0], {}
 
     def step(self, actions: Any) -> Tuple[Any, Any, Any, Any, Json]:
         if len(actions) != self.num_envs:
             raise ValueError(f"there must be one action for each of {self.num_envs} environments (got: {len(actions)})")
-        checked = [each.checked(action) for each, action in zip(self._all, actions)]  # before any is sent
-        for each, over, shares in zip(self._all, self._over, checked):
-            if not over:
-                each.act(shares)
-        rewards = numpy.zeros(self.num_envs)
-        terminated = numpy.zeros(self.num_envs, bool)
-        truncated = numpy.zeros(self.num_envs, bool)
-        observations = []
-        for k, (each, over) in enumerate(zip(self._all, self._over)):
-            if over:
-                observations.append(each.begin())
-            else:
-                observation, rewards[k], terminated[k], truncated[k], _ = each.finish()
-                observations.append(observation)
-        self._over = terminated | truncated
-        return self._together(observations), rewards, terminated, truncated, {}
+        shares = numpy.asarray(actions, "float64")
+        if shares.shape != (self.num_envs, self._width) or not numpy.isfinite(shares).all():
+            raise ValueError(f"an action must have {self._width} finite numbers from -1 to 1 (got: {shares.tolist()})")
+        return (*self._stepped(numpy.clip(shares, -1.0, 1.0)), {})
+
+    def _stepped(self, shares: Any) -> Tuple[Any, Any, Any, Any]:
+        """Begins the episodes that are due, and lets the others go on."""
+        options, begun = self._options, self._over.copy()
+        for lane in self._lanes:
+            for index in lane.indexes[begun[lane.indexes]]:
+                self._begin(lane, index)
+        commands = numpy.zeros((self.num_envs, 4))
+        commands[:, 0] = numpy.where(begun, 0.0, options.seconds)
+        commands[:, 1] = shares[:, 0] * options.max_speed
+        commands[:, 2] = shares[:, 1] * options.max_speed if self._has_right else 0.0
+        commands[:, 3] = shares[:, -1] * options.max_turn
+        seen = self._seen(commands)
+        rewards, over = self._judge.judged(seen, begun)
+        self._steps = numpy.where(begun, 0, self._steps + 1)
+        late = self._steps >= options.horizon
+        self._over = over | late
+        return self._judge.observed(seen), rewards, over, late
+
+    def _begin(self, lane: _Lane, index: int) -> None:
+        lane.episodes.generator = self._generators[index]
+        self._judge.begin(index, lane.episodes.copy(int(index - lane.indexes[0])).get("goal"))
+
+    def _seen(self, commands: Any) -> _Seen:
+        for lane in self._lanes:
+            lane.send(commands)
+        parts = [lane.receive() for lane in self._lanes]
+        if len(parts) == 1:
+            return parts[0]
+        robot, crate, touches = (numpy.concatenate([part[field] for part in parts]) for field in range(3))
+        return _Seen(robot, crate, touches, [numpy.concatenate(each) for each in zip(*(part.scans for part in parts))])
 
     def begin(self, index: int) -> Json:
         """Begins another episode in one environment at once; returns its observation."""
+        lane = next(lane for lane in self._lanes if index in lane.indexes)
+        self._begin(lane, index)
+        seen = self._seen(numpy.zeros((self.num_envs, 4)))
+        self._judge.judged(seen, numpy.ones(self.num_envs, bool))
+        self._steps[index] = 0
         self._over[index] = False
-        return self._all[index].begin()
-
-    def _together(self, observations: List[Json]) -> Json:
-        return {name: numpy.stack([each[name] for each in observations]) for name in observations[0]}
+        return {name: each[index] for name, each in self._judge.observed(seen).items()}
 
     def close_extras(self, **_: Any) -> None:
-        for each in self._all:
-            each.close()
+        for lane in self._lanes:
+            lane.episodes.close()
         if self._own is not None:
             self._own.close()
 

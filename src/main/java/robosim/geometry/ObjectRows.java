@@ -33,6 +33,7 @@ import robosim.geometry.model.Pose;
  * @param moveable by object
  * @param places   by object: the {@link Pose#PLACE} numbers of its place
  * @param materials by object: null for the default; all of it null if no object was given one
+ * @param visuals  by object: null for none; all of it null if no object was given any
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared; the numbers are checked on the way out
 record ObjectRows(
@@ -43,7 +44,8 @@ record ObjectRows(
         @Nullable String[] names,
         boolean[] moveable,
         double[] places,
-        @Nullable Material @Nullable [] materials)
+        @Nullable Material @Nullable [] materials,
+        @Nullable List<GeometryObject> @Nullable [] visuals)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -82,6 +84,7 @@ record ObjectRows(
         boolean[] moveable = new boolean[count];
         double[] places = new double[Pose.PLACE * count];
         @Nullable Material @Nullable [] materials = null;
+        @Nullable List<GeometryObject> @Nullable [] visuals = null;
         List<GeometryObject> shapes = new ArrayList<>();
         Map<Shape, Integer> seen = new HashMap<>();
         for (int k = 0; k < count; k++) {
@@ -92,19 +95,36 @@ record ObjectRows(
                 materials = materials == null ? new Material[count] : materials;
                 materials[k] = object.material();
             }
+            if (object.visuals() != null) {
+                visuals = visuals == null ? lists(count) : visuals;
+                visuals[k] = object.visuals();
+            }
             object.pose().place(places, Pose.PLACE * k);
             double[] own = object.sizes();
             System.arraycopy(own, 0, sizes, SIZES * k, own.length);
             kinds[k] = own.length == 0 ? OTHER : (byte) CODES.indexOf(object.kind());
             if (kinds[k] == OTHER) {
                 shapeOf[k] = seen.computeIfAbsent(shape(object), s -> {
-                    shapes.add(PlacedObject.like(object, null, false, Material.DEFAULT, Pose.ORIGIN));
+                    shapes.add(PlacedObject.like(object, null, false, Material.DEFAULT, null, Pose.ORIGIN));
                     return shapes.size() - 1;
                 });
             }
         }
         return new ObjectRows(
-                kinds, sizes, shapes.toArray(GeometryObject[]::new), shapeOf, names, moveable, places, materials);
+                kinds,
+                sizes,
+                shapes.toArray(GeometryObject[]::new),
+                shapeOf,
+                names,
+                moveable,
+                places,
+                materials,
+                visuals);
+    }
+
+    @SuppressWarnings("unchecked") // there is no array of a generic type
+    private static @Nullable List<GeometryObject>[] lists(int count) {
+        return (List<GeometryObject>[]) new List<?>[count];
     }
 
     private static Shape shape(GeometryObject object) {
@@ -129,6 +149,7 @@ record ObjectRows(
         checkLength("moveable", Checks.present("moveable", moveable).length, count);
         checkLength("places", Checks.present("places", places).length, (long) Pose.PLACE * count);
         checkLength("materials", materials == null ? count : materials.length, count);
+        checkLength("visuals", visuals == null ? count : visuals.length, count);
         Checks.present("shapes", shapes);
         List<GeometryObject> objects = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
@@ -159,7 +180,7 @@ record ObjectRows(
                 : kind.of(
                         pose.center(),
                         Arrays.copyOfRange(sizes, from, from + kind.sizes().size()));
-        return PlacedObject.like(made, names[k], moveable[k], material(k), pose);
+        return PlacedObject.like(made, names[k], moveable[k], material(k), visuals == null ? null : visuals[k], pose);
     }
 
     private GeometryObject shape(int k) {

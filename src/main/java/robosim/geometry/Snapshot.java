@@ -19,6 +19,7 @@ import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
@@ -192,6 +193,37 @@ public final class Snapshot implements WorldQueries, Serializable {
         long[] came =
                 IntStream.range(0, fixed.length).mapToLong(statics::arrival).toArray();
         return new Snapshot(high, high.statics(fixed, came), movers, arrivals, time);
+    }
+
+    /**
+     * The same world as pictures show it: with heights, and with the visuals of each object in its place. It is larger, if
+     * visuals reach beyond it. A SPATIAL snapshot without visuals is returned as it is.
+     */
+    public Snapshot asSeen() {
+        List<GeometryObject> all = objects();
+        if (all.stream().allMatch(object -> object.visuals() == null)) {
+            return withHeights();
+        }
+        List<GeometryObject> seen = new ArrayList<>();
+        double[] size = {width(), height(), length()};
+        for (GeometryObject object : all) {
+            GeometryObject look = object.seen();
+            if (look != null) {
+                seen.add(look);
+                Bounds box = look.bounds();
+                size[0] = Math.max(size[0], 2 * Math.max(-box.minX(), box.maxX()));
+                size[1] = Math.max(size[1], 2 * Math.max(-box.minY(), box.maxY()));
+                size[2] = Math.max(size[2], 2 * Math.max(-box.minZ(), box.maxZ()));
+            }
+        }
+        Geometry world = new Geometry(
+                Checks.worldSize("width", size[0]),
+                Checks.worldSize("height", size[1]),
+                Checks.worldSize("length", size[2]),
+                Dimension.SPATIAL,
+                accuracy());
+        seen.forEach(world::addObjectUnchecked);
+        return world.snapshot();
     }
 
     private Geometry toGeometry(Scratch scratch) {

@@ -62,7 +62,7 @@ public final class PageFrames {
             double steps = ((Number) browser.run("steps")).doubleValue();
             double[] delays = new double[50];
             for (int k = 0; k < delays.length; k++) {
-                int frame = 2 + 20 * seconds + k;
+                int frame = 1 + 20 * seconds + k;
                 long begin = System.nanoTime();
                 film.add(stage.play(step(robots, k)));
                 browser.until("robosim.data.first + robosim.view.frame >= " + frame);

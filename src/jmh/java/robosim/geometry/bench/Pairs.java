@@ -45,15 +45,26 @@ public final class Pairs {
 
     private record Pair(GeometryObject a, GeometryObject b, boolean touch) {}
 
-    private record Set(String name, List<Pair> pairs, double[] nanos) {}
+    private static final class Row {
+        final String name;
+        final List<Pair> pairs = new ArrayList<>();
+
+        /** CPU ns of the module's three questions, then of Coal's two; then how many pairs Coal judges otherwise. */
+        final double[] nanos = new double[6];
+
+        Row(String name) {
+            this.name = name;
+            Arrays.fill(nanos, 0, 5, Double.POSITIVE_INFINITY);
+        }
+    }
 
     private final SplittableRandom random = new SplittableRandom(39);
-    private final List<Set> sets = new ArrayList<>();
+    private final List<Row> rows = new ArrayList<>();
     private @Nullable MeshObject mesh;
 
     private Pairs() {}
 
-    /** Makes the pairs, measures them in rounds, and prints a line for each set. */
+    /** Makes the pairs, measures them in rounds, and prints a line for each row. */
     public static void main(String[] args) throws IOException {
         Pairs all = new Pairs();
         String wanted = System.getProperty(
@@ -66,7 +77,7 @@ public final class Pairs {
         String coal = System.getProperty("coal");
         if (coal == null) {
             for (int round = 0; round < rounds; round++) {
-                all.sets.forEach(Pairs::measure);
+                all.rows.forEach(Pairs::measure);
             }
         } else {
             all.beside(coal, rounds);
@@ -74,10 +85,10 @@ public final class Pairs {
         Timing.print(
                 "%-18s %10s %10s %10s %10s %10s %8s",
                 "pair", "intersects", "distance", "first", "collide", "distance", "misjudged");
-        for (Set set : all.sets) {
-            double[] n = set.nanos;
+        for (Row row : all.rows) {
+            double[] n = row.nanos;
             Timing.print(
-                    "%-18s %10.0f %10.0f %10.0f %10.0f %10.0f %8.0f", set.name, n[0], n[1], n[2], n[3], n[4], n[5]);
+                    "%-18s %10.0f %10.0f %10.0f %10.0f %10.0f %8.0f", row.name, n[0], n[1], n[2], n[3], n[4], n[5]);
         }
     }
 
@@ -92,15 +103,15 @@ public final class Pairs {
                 BufferedReader from =
                         new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
             for (int round = 0; round < rounds; round++) {
-                sets.forEach(Pairs::measure);
+                rows.forEach(Pairs::measure);
                 to.println("turn");
                 for (String line = from.readLine(); line != null && !line.startsWith("done"); line = from.readLine()) {
                     String[] words = line.split(" ", -1);
-                    for (Set set : sets) {
-                        if (set.name.equals(words[0])) {
-                            set.nanos[3] = Math.min(set.nanos[3], Double.parseDouble(words[1]));
-                            set.nanos[4] = Math.min(set.nanos[4], Double.parseDouble(words[2]));
-                            set.nanos[5] = Double.parseDouble(words[3]);
+                    for (Row row : rows) {
+                        if (row.name.equals(words[0])) {
+                            row.nanos[3] = Math.min(row.nanos[3], Double.parseDouble(words[1]));
+                            row.nanos[4] = Math.min(row.nanos[4], Double.parseDouble(words[2]));
+                            row.nanos[5] = Double.parseDouble(words[3]);
                         }
                     }
                 }
@@ -109,62 +120,63 @@ public final class Pairs {
         process.destroy();
     }
 
-    private static void measure(Set set) {
+    private static void measure(Row row) {
         int misjudged = 0;
-        for (Pair pair : set.pairs) {
+        for (Pair pair : row.pairs) {
             misjudged += CollisionDetection.intersects(pair.a, pair.b) == pair.touch ? 0 : 1;
         }
         if (misjudged > 0) {
             throw new IllegalStateException("a pair must be judged as before (got: " + misjudged + " changes)");
         }
-        time(set, 0, set.pairs, pair -> CollisionDetection.intersects(pair.a, pair.b) ? 1 : 0);
-        time(set, 1, set.pairs, pair -> ContactQuery.distance(pair.a, pair.b, Budget.UNLIMITED)
-                .low());
-        List<Pair> touching = set.pairs.stream().filter(Pair::touch).toList();
-        time(set, 2, touching, pair -> ContactQuery.first(pair.a, pair.b) == null ? 1 : 0);
+        time(row, 0, row.pairs, pair -> CollisionDetection.intersects(pair.a, pair.b) ? 1 : 0);
+        time(
+                row,
+                1,
+                row.pairs,
+                pair -> ContactQuery.distance(pair.a, pair.b, Budget.UNLIMITED).low());
+        List<Pair> touching = row.pairs.stream().filter(Pair::touch).toList();
+        time(row, 2, touching, pair -> ContactQuery.first(pair.a, pair.b) == null ? 1 : 0);
     }
 
-    private static void time(Set set, int at, List<Pair> pairs, ToDoubleFunction<Pair> task) {
+    private static void time(Row row, int at, List<Pair> pairs, ToDoubleFunction<Pair> task) {
         double sum = 0;
         long start = CLOCK.getCurrentThreadCpuTime();
         for (Pair pair : pairs) {
             sum += task.applyAsDouble(pair);
         }
         double nanos = (CLOCK.getCurrentThreadCpuTime() - start) / (double) pairs.size();
-        set.nanos[at] = sum == 42.5 ? 0 : Math.min(set.nanos[at], nanos);
+        row.nanos[at] = sum == 42.5 ? 0 : Math.min(row.nanos[at], nanos);
     }
 
     private void add(String name) {
         String[] kinds = name.split("-", -1);
-        double[] nanos = new double[6];
-        Arrays.fill(nanos, 0, 5, Double.POSITIVE_INFINITY);
-        List<Pair> pairs = new ArrayList<>();
-        while (pairs.size() < (kinds[0].equals("mesh") ? MESH_PAIRS : PAIRS)) {
-            pairs.add(pair(shape(kinds[0]), shape(kinds[1])));
+        Row row = new Row(name);
+        while (row.pairs.size() < (kinds[0].equals("mesh") ? MESH_PAIRS : PAIRS)) {
+            row.pairs.add(pair(shape(kinds[0]), shape(kinds[1])));
         }
-        sets.add(new Set(name, pairs, nanos));
+        rows.add(row);
     }
 
     private GeometryObject shape(String kind) {
         Point at = new Point(0, 0, 0);
         double p = random.nextDouble(0.2, 1);
         double q = random.nextDouble(0.2, 1);
-        GeometryObject shape =
-                switch (kind) {
-                    case "box" -> new BoxObject(at, p, q, random.nextDouble(0.2, 1));
-                    case "sphere" -> new SphereObject(at, p / 2);
-                    case "capsule" -> new CapsuleObject(at, p / 2, q);
-                    case "cylinder" -> new CylinderObject(at, p / 2, q);
-                    case "mesh" -> mesh();
-                    default -> throw new IllegalArgumentException("a kind must be known (got: " + kind + ")");
-                };
+        GeometryObject shape = switch (kind) {
+            case "box" -> new BoxObject(at, p, q, random.nextDouble(0.2, 1));
+            case "sphere" -> new SphereObject(at, p / 2);
+            case "capsule" -> new CapsuleObject(at, p / 2, q);
+            case "cylinder" -> new CylinderObject(at, p / 2, q);
+            case "mesh" -> mesh();
+            default -> throw new IllegalArgumentException("a kind must be known (got: " + kind + ")");
+        };
         return shape.turned(random.nextDouble(-180, 180), random.nextDouble(-180, 180));
     }
 
-    /** A knotted tube of 5,856 triangles. */
+    // A knotted tube of 5,856 triangles.
     private MeshObject mesh() {
-        if (mesh != null) {
-            return mesh;
+        MeshObject made = mesh;
+        if (made != null) {
+            return made;
         }
         int along = 244;
         int around = 12;
@@ -185,8 +197,9 @@ public final class Pairs {
                 faces[2 * (i * around + j) + 1] = new int[] {i * around + j, right + up, right + j};
             }
         }
-        mesh = new MeshObject(vertices, faces);
-        return mesh;
+        made = new MeshObject(vertices, faces);
+        mesh = made;
+        return made;
     }
 
     private Pair pair(GeometryObject a, GeometryObject b) {
@@ -215,19 +228,20 @@ public final class Pairs {
 
     private void write(Path file, Path model) throws IOException {
         List<String> lines = new ArrayList<>();
-        if (mesh != null) {
+        MeshObject tube = mesh;
+        if (tube != null) {
             lines.add("model " + model);
             List<String> numbers = new ArrayList<>();
-            numbers.add(mesh.vertices().size() + " " + mesh.faces().length);
-            mesh.vertices().forEach(p -> numbers.add(p.x() + " " + p.y() + " " + p.z()));
-            for (int[] face : mesh.faces()) {
+            numbers.add(tube.vertices().size() + " " + tube.faces().length);
+            tube.vertices().forEach(p -> numbers.add(p.x() + " " + p.y() + " " + p.z()));
+            for (int[] face : tube.faces()) {
                 numbers.add(face[0] + " " + face[1] + " " + face[2]);
             }
             Files.write(model, numbers);
         }
-        for (Set set : sets) {
-            lines.add("set " + set.name);
-            for (Pair pair : set.pairs) {
+        for (Row row : rows) {
+            lines.add("set " + row.name);
+            for (Pair pair : row.pairs) {
                 lines.add((pair.touch ? "touch " : "apart ") + words(pair.a) + " " + words(pair.b));
             }
         }

@@ -27,7 +27,11 @@ import robosim.geometry.narrow.leaf.LocalLeaves;
  * }</pre>
  */
 public final class CollisionDetection {
-    private static final ThreadLocal<Scratch> SCRATCH = ThreadLocal.withInitial(Scratch::new);
+    private static final ThreadLocal<CollisionDetection> MEMORY = ThreadLocal.withInitial(CollisionDetection::new);
+
+    private final Scratch scratch = new Scratch();
+    private final LeafColumn first = new LeafColumn(1);
+    private final LeafColumn second = new LeafColumn(1);
 
     private CollisionDetection() {}
 
@@ -39,20 +43,21 @@ public final class CollisionDetection {
         if (a == null || b == null) {
             throw new IllegalArgumentException((a == null ? "a" : "b") + " must be given (got: null)");
         }
-        LeafColumn first = LocalLeaves.placed(a);
-        LeafColumn second = LocalLeaves.placed(b);
-        return mayTouch(a, second) && mayTouch(b, first) && touch(first, second);
+        CollisionDetection memory = MEMORY.get();
+        LeafColumn ofA = Parts.leaves(a, memory.first);
+        LeafColumn ofB = Parts.leaves(b, memory.second);
+        return memory.mayTouch(a, ofB) && memory.mayTouch(b, ofA) && memory.touch(ofA, ofB);
     }
 
-    private static boolean touch(LeafColumn first, LeafColumn second) {
-        return Overlap.any(Dimension.SPATIAL, first, second, 0, second.size(), SCRATCH.get());
+    private boolean touch(LeafColumn one, LeafColumn other) {
+        return Overlap.any(Dimension.SPATIAL, one, other, 0, other.size(), scratch);
     }
 
     /**
      * Whether the bounding volume that an object was given, if any, meets the other object. It can only rule out
      * contact.
      */
-    private static boolean mayTouch(GeometryObject object, LeafColumn other) {
+    private boolean mayTouch(GeometryObject object, LeafColumn other) {
         GeometryObject volume = boundingVolume(object);
         return volume == null || touch(LocalLeaves.placed(volume), other);
     }
@@ -77,7 +82,7 @@ public final class CollisionDetection {
         }
         Point o = ray.start();
         Point d = ray.direction();
-        Cast cast = new Cast(SCRATCH.get());
+        Cast cast = new Cast(MEMORY.get().scratch);
         cast.line(Dimension.SPATIAL, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
         LeafColumn leaves = LocalLeaves.placed(object);
         double nearest = Double.POSITIVE_INFINITY;

@@ -56,6 +56,8 @@ public final class ContactQuery {
     private final NearestPairs nearest;
     private final SignedPairs signed;
     private final double[] witness = new double[9];
+    private final LeafColumn first = new LeafColumn(1);
+    private final LeafColumn second = new LeafColumn(1);
 
     private ContactQuery() {
         Scratch scratch = new Scratch();
@@ -166,8 +168,8 @@ public final class ContactQuery {
         Checks.present("budget", budget);
         ContactQuery query = MEMORY.get();
         SignedPairs signed = query.signed;
-        LeafColumn ofA = Parts.of(a).leaves();
-        LeafColumn ofB = Parts.of(b).leaves();
+        LeafColumn ofA = leaves(a, query.first);
+        LeafColumn ofB = leaves(b, query.second);
         if (budget.steps() > 0 && budget.nanos() > 0 && signed.isAnswered(dimension, ofA, ofB)) {
             return query.signed();
         }
@@ -181,6 +183,10 @@ public final class ContactQuery {
         }
         signed.finish();
         return query.signed();
+    }
+
+    private static LeafColumn leaves(GeometryObject object, LeafColumn column) {
+        return object.kind() == GeometryObject.Kind.GRID ? Parts.of(object).leaves() : Parts.leaves(object, column);
     }
 
     private SignedDistance signed() {
@@ -209,8 +215,9 @@ public final class ContactQuery {
         long start = System.nanoTime();
         check(a, b, dimension);
         Checks.present("budget", budget);
-        NearestPairs nearest = MEMORY.get().nearest;
-        nearest.start(dimension, Parts.of(a).leaves(), Parts.of(b).leaves());
+        ContactQuery query = MEMORY.get();
+        NearestPairs nearest = query.nearest;
+        nearest.start(dimension, leaves(a, query.first), leaves(b, query.second));
         long nanos = budget.nanos();
         while (!(measures ? nearest.isMeasured() : nearest.isDecided()) && nearest.steps() < budget.steps()) {
             if (nearest.steps() % STEPS_A_LOOK == 0 && System.nanoTime() - start >= nanos) {

@@ -22,6 +22,15 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
         return of(object, null);
     }
 
+    /** The leaves of an object at its place; of a box, cylinder, sphere or capsule in the column given, which refers to nothing. */
+    static LeafColumn leaves(GeometryObject object, LeafColumn column) {
+        if (!object.kind().isSized()) {
+            return LocalLeaves.placed(object);
+        }
+        LocalLeaves.placed(object, column);
+        return column;
+    }
+
     /** All parts but, of a grid, cells that another object certainly does not touch. */
     static Parts near(GeometryObject object, GeometryObject other) {
         return of(object, other);

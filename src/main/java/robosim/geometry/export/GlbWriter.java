@@ -49,11 +49,15 @@ public final class GlbWriter {
         for (WorldObject each : world.objects()) {
             progress.accept(nodes.size());
             GeometryObject object = each.object();
+            GeometryObject seen = object.seen();
+            if (seen == null) {
+                continue;
+            }
             int usual = (object.isMoveable() ? Palette.robot(robots) : Palette.of(object.kind())).in(Theme.LIGHT);
             robots += object.isMoveable() ? 1 : 0;
             String name = object.name();
             String called = name == null ? object.kind().word() + " " + (nodes.size() + 1) : name;
-            nodes.add(scene.object(object, Material.of(Color.ofPacked(usual)), called));
+            nodes.add(scene.object(seen, Material.of(Color.ofPacked(usual)), called));
         }
         Unit unit = world.unit();
         int root = scene.root(title, unit == null ? 1 : unit.metres(), nodes);

@@ -76,7 +76,10 @@ final class PageObjects {
         turned(Quaternion.of(pose));
         List<Part> parts = new ArrayList<>();
         Material usual = Material.of(Color.ofPacked(painted.colour));
-        collect(object, object.material().within(usual), Placement.NONE, parts);
+        GeometryObject seen = object.seen();
+        if (seen != null) {
+            collect(seen, object.material().within(usual), Placement.NONE, parts);
+        }
         out.objects.count(parts.size());
         parts.forEach(this::part);
     }

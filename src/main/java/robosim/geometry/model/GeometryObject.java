@@ -10,7 +10,7 @@ import robosim.geometry.material.Material;
 /**
  * An object of a world: an immutable value. The world, not the value, holds where a moveable object is now.
  *
- * <p>Values compare by name, place, attitude, shape and material. Serialization goes through small records, so that no object can
+ * <p>Values compare by name, place, attitude, shape, material and visuals. Serialization goes through small records, so that no object can
  * be created that its constructor would refuse.
  */
 public sealed interface GeometryObject extends Serializable
@@ -107,6 +107,28 @@ public sealed interface GeometryObject extends Serializable
      */
     Material material();
 
+    /**
+     * What is seen of it in place of its shape: objects in its own frame; null where it looks like its shape, and empty where
+     * nothing of it is seen. Pictures show visuals; moves, sonars and lasers know the shape alone. A visual that has the default
+     * material is made of this object's.
+     */
+    @Nullable
+    List<GeometryObject> visuals();
+
+    /** This object as it is seen where it stands: itself, or a group of its visuals under its name; null if nothing is seen. */
+    default @Nullable GeometryObject seen() {
+        List<GeometryObject> visuals = visuals();
+        String name = name();
+        if (visuals == null) {
+            return this;
+        }
+        if (visuals.isEmpty()) {
+            return null;
+        }
+        GeometryObject group = new ObjectGroup(visuals).withMaterial(material()).at(pose());
+        return name == null ? group : isMoveable() ? group.moveable(name) : group.named(name);
+    }
+
     /** The place: the middle of a box, cylinder, sphere, capsule or grid; the origin of the own frame of a mesh or group. */
     default Point center() {
         return pose().center();
@@ -138,6 +160,13 @@ public sealed interface GeometryObject extends Serializable
 
     /** This object of another material. */
     GeometryObject withMaterial(Material material);
+
+    /**
+     * This object with another look.
+     *
+     * @param visuals in its own frame, static and without visuals of their own; null for the look of its shape
+     */
+    GeometryObject withVisuals(@Nullable List<? extends GeometryObject> visuals);
 
     /** This object with another centre and the same attitude. */
     GeometryObject movedTo(Point center);

@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import java.io.Serial;
+import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -45,10 +46,15 @@ public abstract class PlacedObject<S extends GeometryObject> {
         return SerialForms.classes();
     }
 
-    /** For internal use: the shape of an object with another name, mobility, material and pose. */
+    /** For internal use: the shape of an object with another name, mobility, material, visuals and pose. */
     public static GeometryObject like(
-            GeometryObject object, @Nullable String name, boolean moveable, Material material, Pose pose) {
-        return ((PlacedObject<?>) object).with(new Tag(name, moveable, material), pose);
+            GeometryObject object,
+            @Nullable String name,
+            boolean moveable,
+            Material material,
+            @Nullable List<GeometryObject> visuals,
+            Pose pose) {
+        return ((PlacedObject<?>) object).with(new Tag(name, moveable, material, Tag.checked(visuals)), pose);
     }
 
     /** The same shape with another tag and pose. */
@@ -68,6 +74,14 @@ public abstract class PlacedObject<S extends GeometryObject> {
 
     public final Material material() {
         return tag.material();
+    }
+
+    public final @Nullable List<GeometryObject> visuals() {
+        return tag.visuals();
+    }
+
+    public final S withVisuals(@Nullable List<? extends GeometryObject> visuals) {
+        return with(new Tag(tag.name(), tag.moveable(), tag.material(), Tag.checked(visuals)), pose);
     }
 
     public final S named(String name) {
@@ -127,9 +141,15 @@ public abstract class PlacedObject<S extends GeometryObject> {
         return SerialForms.of((GeometryObject) this);
     }
 
-    /** An object's name, whether a world may move it, and its material; a moveable object always has a name. */
-    record Tag(@Nullable String name, boolean moveable, Material material) {
-        static final Tag NONE = new Tag(null, false, Material.DEFAULT);
+    /**
+     * An object's name, whether a world may move it, its material and what is seen of it; a moveable object always has a name.
+     */
+    record Tag(
+            @Nullable String name,
+            boolean moveable,
+            Material material,
+            @Nullable List<GeometryObject> visuals) {
+        static final Tag NONE = new Tag(null, false);
 
         Tag {
             if (name != null) {
@@ -141,22 +161,37 @@ public abstract class PlacedObject<S extends GeometryObject> {
         }
 
         Tag(@Nullable String name, boolean moveable) {
-            this(name, moveable, Material.DEFAULT);
+            this(name, moveable, Material.DEFAULT, null);
+        }
+
+        /** A copy of a list of visuals, none of which may be moveable or have visuals itself. */
+        static @Nullable List<GeometryObject> checked(@Nullable List<? extends GeometryObject> visuals) {
+            if (visuals == null) {
+                return null;
+            }
+            List<GeometryObject> copy = Checks.list("visuals", visuals);
+            for (GeometryObject each : copy) {
+                if (each.isMoveable() || each.visuals() != null) {
+                    throw new IllegalArgumentException(
+                            "visuals must be static, and have no visuals themselves (got: " + each + ")");
+                }
+            }
+            return copy;
         }
 
         /** The same as one that a world may move. */
         Tag moveable(String newName) {
-            return new Tag(Checks.name(newName), true, material);
+            return new Tag(Checks.name(newName), true, material, visuals);
         }
 
         /** The same under another name. */
         Tag named(String newName) {
-            return new Tag(Checks.name(newName), moveable, material);
+            return new Tag(Checks.name(newName), moveable, material, visuals);
         }
 
         /** The same of another material. */
         Tag of(Material newMaterial) {
-            return new Tag(name, moveable, newMaterial);
+            return new Tag(name, moveable, newMaterial, visuals);
         }
 
         /** The name, if any, and the place, as text for people. */

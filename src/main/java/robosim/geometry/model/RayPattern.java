@@ -223,12 +223,27 @@ public final class RayPattern {
      * @param directions X, Y and Z of each direction, of any length but zero; copied
      */
     public static RayPattern of(double[] directions) {
+        return of(Checks.present("directions", directions).length / 3, 1, directions);
+    }
+
+    /**
+     * Beams in any directions, in rows: for a camera whose lens bends them, say.
+     *
+     * @param width      beams in a row, at least 1
+     * @param height     rows, at least 1
+     * @param directions X, Y and Z of each direction, row by row, of any length but zero; copied
+     */
+    public static RayPattern of(int width, int height, double[] directions) {
         int length = Checks.present("directions", directions).length;
         if (length == 0 || length % 3 != 0 || length / 3 > MAX_SIZE) {
             throw new IllegalArgumentException("directions must have three numbers for each beam, of 1 to " + MAX_SIZE
                     + " beams (got: " + length + " numbers)");
         }
-        RayPattern pattern = new RayPattern(1, length / 3, directions.clone(), null);
+        if ((long) width * height != length / 3) {
+            throw new IllegalArgumentException(
+                    "directions must be width times height, " + width + " x " + height + " (got: " + length / 3 + ")");
+        }
+        RayPattern pattern = new RayPattern(height, width, directions.clone(), null);
         pattern.check();
         return pattern;
     }

@@ -35,7 +35,8 @@ final class SerialForms {
                 Group.class,
                 Grid.class,
                 Textured.class,
-                Surfaced.class);
+                Surfaced.class,
+                Seen.class);
     }
 
     /**
@@ -43,6 +44,10 @@ final class SerialForms {
      * besides has the bytes that it always had.
      */
     static Object of(GeometryObject object) {
+        List<GeometryObject> visuals = object.visuals();
+        if (visuals != null) {
+            return new Seen(object.withVisuals(null), visuals);
+        }
         Material material = object.material();
         if (!material.isDefault()) {
             return new Surfaced(object.withMaterial(Material.DEFAULT), material);
@@ -198,6 +203,17 @@ final class SerialForms {
                 return surface.withTextureCoordinates(new TextureCoordinates(points, corners));
             }
             throw new IllegalArgumentException("only a mesh has texture coordinates (got: " + mesh + ")");
+        }
+    }
+
+    /** An object that was given visuals. */
+    record Seen(GeometryObject object, List<GeometryObject> visuals) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return Checks.present("object", object).withVisuals(Checks.present("visuals", visuals));
         }
     }
 

@@ -287,9 +287,9 @@ final class Connection implements Runnable {
     private PeerAdmission.Resumption resumed(String token) throws ProtocolException {
         InetAddress from = socket.getInetAddress();
         if (token.isEmpty()) {
-            return new PeerAdmission.Resumption(around.kept().begin(own(), this, from, identity), null);
+            return new PeerAdmission.Resumption(around.kept().begin(own(), this::abort, from, identity), null);
         }
-        KeptSessions.Kept kept = carry(around.kept().resume(token, this, from, identity));
+        KeptSessions.Kept kept = carry(around.kept().resume(token, this::abort, from, identity));
         around.log().log(LOG, System.Logger.Level.INFO, name + ": resumes a session");
         return new PeerAdmission.Resumption(token, kept.lastId);
     }

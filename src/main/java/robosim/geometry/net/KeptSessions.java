@@ -61,7 +61,9 @@ final class KeptSessions {
         /** Null for a session that ends with its connection. */
         private @Nullable String token;
 
-        private @Nullable Connection holder;
+        /** Ends the connection that has it; null while it waits. */
+        private @Nullable Runnable holder;
+
         private @Nullable InetAddress from;
         private String identity = "";
         private Watchdog.@Nullable Guard guard;
@@ -86,11 +88,12 @@ final class KeptSessions {
     /**
      * Makes a new session one that can be resumed.
      *
+     * @param holder   ends the connection that has it
      * @param from     where its peer is; null if unknown
      * @param identity of the peer's certificate, which whoever resumes the session must have as well; empty without TLS
      * @return its token
      */
-    synchronized String begin(Kept kept, Connection holder, @Nullable InetAddress from, String identity) {
+    synchronized String begin(Kept kept, Runnable holder, @Nullable InetAddress from, String identity) {
         byte[] bytes = new byte[TOKEN_BYTES];
         random.nextBytes(bytes);
         String token = HexFormat.of().formatHex(bytes);
@@ -105,9 +108,10 @@ final class KeptSessions {
     /**
      * Gives a session to another connection of its peer, and ends the one that still holds it.
      *
+     * @param holder ends that other connection
      * @throws ProtocolException if there is no such session
      */
-    synchronized Kept resume(String token, Connection holder, @Nullable InetAddress from, String identity)
+    synchronized Kept resume(String token, Runnable holder, @Nullable InetAddress from, String identity)
             throws ProtocolException {
         long end = System.nanoTime() + LETTING_GO_MILLIS * 1_000_000;
         while (true) {
@@ -121,7 +125,7 @@ final class KeptSessions {
                 kept.from = from;
                 return kept;
             }
-            kept.holder.abort();
+            kept.holder.run();
             long left = (end - System.nanoTime()) / 1_000_000;
             if (left <= 0) {
                 throw new ProtocolException(

@@ -22,6 +22,7 @@ import robosim.geometry.net.session.LargeTurnWarning;
 import robosim.geometry.net.session.LogBudget;
 import robosim.geometry.net.session.Reasons;
 import robosim.geometry.net.session.WarningLog;
+import robosim.geometry.net.session.WorldCopies;
 import robosim.geometry.net.session.WorldExtent;
 import robosim.geometry.net.session.WorldRequests;
 import robosim.geometry.protocol.BatchAnswerBundle;
@@ -40,6 +41,7 @@ import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
@@ -57,6 +59,7 @@ import robosim.geometry.protocol.batch.WorldRequest;
  *   <li>A {@link SonarRequestBundle} is answered by one distance for each request, in order.
  *   <li>A {@link BatchRequestBundle} is answered by one answer for each request, in order, with the bits of the single
  *       calls.
+ *   <li>A {@link CopyRequest} in a batch makes copies of the world and lets time pass in them. They stay when a new world comes.
  *   <li>A {@link StepBundle} gives bodies and commands to objects, lets time pass, and is answered by where all bodies are and
  *       what they met. A body or command that cannot be given is left out and logged.
  *   <li>A request with a name that is unknown, missing or of a static object, or that its world refuses (in a planar
@@ -81,6 +84,7 @@ public final class Session {
     private Runnable breath = () -> {};
 
     private final Batches batches = new Batches();
+    private final WorldCopies copies = new WorldCopies(batches);
     private WorldRequests about = new WorldRequests();
 
     /** What limits a request; null for nothing. */
@@ -397,6 +401,12 @@ public final class Session {
             return new NoAnswer();
         }
         try {
+            if (request instanceof CopyRequest.Make make) {
+                return copies.make(make, world, motion, moveable, limit, () -> breath.run());
+            }
+            if (request instanceof CopyRequest.Tick tick) {
+                return copies.tick(tick, breath);
+            }
             return request instanceof WorldRequest asked
                     ? about.answer(world, asked, moveable, this::tried)
                     : batches.answer(world, request, breath);

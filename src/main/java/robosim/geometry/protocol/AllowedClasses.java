@@ -18,6 +18,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.PlacedObject;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
@@ -34,6 +35,7 @@ import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.TickAnswer;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
@@ -101,6 +103,9 @@ final class AllowedClasses {
             BatchAnswerBundle.class,
             SenseAnswer.class,
             FreeAnswer.class,
+            CopyRequest.Make.class,
+            CopyRequest.Tick.class,
+            TickAnswer.class,
             NoAnswer.class,
             WorldRequest.Describe.class,
             WorldRequest.ListObjects.class,

@@ -4,6 +4,7 @@ import java.io.Serial;
 import java.util.List;
 import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
@@ -32,7 +33,7 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
         long pixels = 0;
         long rays = 0;
         for (BatchRequest request : requests) {
-            if (request instanceof SenseRequest) {
+            if (request instanceof SenseRequest || request instanceof CopyRequest.Tick) {
                 beams += request.size();
             } else if (request instanceof PictureRequest picture) {
                 pixels += picture.size();
@@ -77,6 +78,9 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
     }
 
     private static long bytesOfItem(BatchRequest request) {
+        if (request instanceof CopyRequest) {
+            return 64L; // a beam, or a body's state
+        }
         if (request instanceof SenseRequest sense) {
             // A beam's direction, distance, normal and object: while they are found, as an answer, and as bytes.
             return 64L + (sense.normals() ? 80L : 0) + (sense.objects() ? 96L : 0);

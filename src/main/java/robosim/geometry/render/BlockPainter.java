@@ -23,6 +23,7 @@ final class BlockPainter {
     private final SenseBuffer met = new SenseBuffer(Extra.OBJECTS, Extra.NORMALS, Extra.PARTS);
 
     private @Nullable ColorCamera camera;
+    private ColorCamera.@Nullable Pass pass;
     private PixelBeam[] beams = new PixelBeam[0];
     private SkyLight sky = new SkyLight(Sky.NONE);
     private @Nullable Lighting lighting;
@@ -69,10 +70,11 @@ final class BlockPainter {
         return world == other;
     }
 
-    /** Begins a picture. */
-    void begin(ColorCamera by, @Nullable SkyShade of) {
+    /** Begins a part of the work on a picture. */
+    void begin(ColorCamera by, ColorCamera.Pass part) {
         camera = by;
-        shade = of;
+        pass = part;
+        shade = part.shade();
         surfaces.begin();
         Lighting with = by.options().lighting();
         if (!with.equals(lighting)) {
@@ -85,7 +87,8 @@ final class BlockPainter {
         ey = place.center().y();
         ez = place.center().z();
         place.rotation(rotation, 0);
-        reserve(by.plan().mostPixels(), by.plan().samples * by.plan().samples);
+        FramePlan plan = part.plan();
+        reserve(plan.mostPixels(), plan.samples * plan.samples);
     }
 
     private void reserve(int most, int samples) {
@@ -110,20 +113,24 @@ final class BlockPainter {
     /** Paints a block into a picture. */
     void paint(int block, int[] out) {
         ColorCamera by = camera;
-        if (by == null) {
+        ColorCamera.Pass part = pass;
+        if (by == null || part == null) {
             throw new IllegalStateException("a picture must have begun (got: none)");
         }
-        FramePlan plan = by.plan();
-        int count = plan.pixels(block, pixels);
+        FramePlan plan = part.plan();
+        int count = plan.pixels(block, part.only(), pixels);
+        if (count == 0) {
+            return;
+        }
         int samples = plan.samples * plan.samples;
-        RayPattern pattern = plan.pattern(block, pixels, count);
+        RayPattern pattern = plan.pattern(block, part.only(), pixels, count);
         Arrays.fill(light, 0, 3 * count * samples, 0);
         if (shade != null) {
             Arrays.fill(skyLight, 0, 3 * count * samples, 0);
         }
         look(by, pattern);
         for (int depth = 0; hits.count > 0; depth++) {
-            illuminate(by.options(), samples, depth);
+            illuminate(by.options(), part, samples, depth);
             boolean isLast = depth >= by.options().mirrors();
             askBack(by, isLast, depth);
             int rays = gather(isLast, shade != null && depth == 0 ? skyLight : light);
@@ -173,13 +180,15 @@ final class BlockPainter {
         }
     }
 
-    private void illuminate(ColorCamera.Options options, int samples, int depth) {
+    private void illuminate(ColorCamera.Options options, ColorCamera.Pass part, int samples, int depth) {
         for (PixelBeam beam : beams) {
             illuminator.addLight(hits, beam);
         }
         SkyShade smooth = shade;
         if (smooth != null && depth == 0) {
-            askSky(smooth, options, samples);
+            if (part.only() == null) { // else the sky was asked for the whole pixel
+                askSky(smooth, options, samples);
+            }
             return;
         }
         int rounds = smooth == null ? options.skyRays() : 1;

@@ -8,13 +8,15 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.check.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SenseOptions.Carrier;
+import robosim.geometry.sensor.Intrinsics;
 
 /**
- * A colour camera without distortion: surfaces with their materials, lit by a {@link Lighting}, with hard shadows and
+ * A colour camera: surfaces with their materials, lit by a {@link Lighting}, with hard shadows and
  * mirrors. An immutable value; what it sees goes into a {@link ColorFrame}, which is used again for the next picture. It
  * sees heights in a PLANAR world too; each picture of a PLANAR {@link Geometry} first makes a copy of it with heights, so
  * for many pictures of one state take its {@link Snapshot}.
@@ -117,6 +119,23 @@ public final class ColorCamera {
                 new Options(Lighting.DAY, 3, 0, 0, Double.POSITIVE_INFINITY, Carrier.IGNORED, 1));
     }
 
+    /**
+     * A calibrated camera at the origin, otherwise as {@link #of(int, int, double)} makes it.
+     *
+     * @param intrinsics its size, focal lengths, optical axis and distortion
+     * @throws IllegalArgumentException if the distortion shows nothing in some pixel
+     */
+    public static ColorCamera of(Intrinsics intrinsics) {
+        Checks.present("intrinsics", intrinsics).pattern(); // which refuses a lens that does not fit
+        double fieldOfView =
+                Math.min(179.999, 2 * Degrees.toDegrees(StrictMath.atan(intrinsics.width() / (2 * intrinsics.fx()))));
+        return of(intrinsics.width(), intrinsics.height(), fieldOfView).planned(new FramePlan(intrinsics, fieldOfView));
+    }
+
+    private ColorCamera planned(FramePlan other) {
+        return new ColorCamera(other, fieldOfView, pose, carrier, options);
+    }
+
     private ColorCamera with(Options other) {
         return new ColorCamera(plan, fieldOfView, pose, carrier, other);
     }
@@ -149,8 +168,19 @@ public final class ColorCamera {
      */
     public ColorCamera withSamples(int count) {
         check("samples", count, 1, MOST_SAMPLES);
-        return new ColorCamera(
-                new FramePlan(plan.width, plan.height, fieldOfView, count), fieldOfView, pose, carrier, options);
+        return new ColorCamera(plan.withSamples(count), fieldOfView, pose, carrier, options);
+    }
+
+    /**
+     * This camera with one sample for each pixel, and more only for those that differ from one beside them: the edges of
+     * things, of shadows and of what textures show. That takes a fraction of the time of {@link #withSamples}, and looks much
+     * the same; what is so small that it lies between the middles of pixels may be missed.
+     *
+     * @param count samples of such pixels along each axis, 1 to {@link #MOST_SAMPLES}
+     */
+    public ColorCamera withSmoothEdges(int count) {
+        check("samples", count, 1, MOST_SAMPLES);
+        return new ColorCamera(plan.withEdges(count), fieldOfView, pose, carrier, options);
     }
 
     /**
@@ -230,14 +260,24 @@ public final class ColorCamera {
         return plan.height;
     }
 
-    /** Horizontal field of view in degrees. */
+    /**
+     * The intrinsic parameters of this camera, for an image of so many times as many pixels along each axis.
+     *
+     * @param times at least 1
+     */
+    public Intrinsics intrinsics(int times) {
+        check("times", times, 1, MOST_SAMPLES);
+        return plan.intrinsics(times);
+    }
+
+    /** Horizontal field of view in degrees; of a calibrated camera about what it would be without distortion. */
     public double fieldOfView() {
         return fieldOfView;
     }
 
-    /** Samples of a pixel along each axis. */
+    /** Samples of a pixel along each axis; with smooth edges, of those that have most. */
     public int samples() {
-        return plan.samples;
+        return plan.edges == null ? plan.samples : plan.edges.samples;
     }
 
     /** The light. */
@@ -282,23 +322,80 @@ public final class ColorCamera {
     }
 
     private void paint(BlockPainter painter, ColorFrame out, IntConsumer progress) {
-        SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
-        painter.begin(this, shade);
         int[] percent = {0};
         painter.pausing(() -> progress.accept(percent[0])); // a block of many mirrors and lights takes long
         try {
-            for (int block = 0; block < plan.blocks(); block++) {
-                painter.paint(block, out.pixels());
-                percent[0] = (int) (100L * (block + 1) / plan.blocks());
-                progress.accept(percent[0]);
-            }
+            paint(new BlockPainter[] {painter}, out, done -> {
+                percent[0] = done;
+                progress.accept(done);
+            });
         } finally {
             painter.pausing(() -> {});
         }
-        for (int row = 0; shade != null && row < plan.height; row++) {
-            shade.resolve(row, out.pixels());
+    }
+
+    /**
+     * A part of the work on a picture.
+     *
+     * @param only  the pixels that are painted; null for all
+     * @param shade where the shadows of the sky are noted; null if each sample has its own
+     */
+    @SuppressWarnings("ArrayRecordComponent") // never compared
+    record Pass(
+            FramePlan plan,
+            boolean @Nullable [] only,
+            @Nullable SkyShade shade) {
+        /** How many percent of the picture are done after so many blocks: half of it is the pixels that differ. */
+        int percent(int blocks) {
+            int percent = (int) (100L * blocks / plan.blocks());
+            return only != null ? 50 + percent / 2 : plan.edges != null ? percent / 2 : percent;
+        }
+    }
+
+    /** Takes a picture, with a thread for each painter. */
+    private void paint(BlockPainter[] painters, ColorFrame out, IntConsumer progress) {
+        SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
+        paint(painters, new Pass(plan, null, shade), out, progress);
+        if (plan.edges != null) {
+            paint(painters, new Pass(plan.edges, out.edges(plan.width, plan.height), shade), out, progress);
         }
         out.finish(plan.width, plan.height);
+    }
+
+    private void paint(BlockPainter[] painters, Pass pass, ColorFrame out, IntConsumer progress) {
+        for (BlockPainter painter : painters) {
+            painter.begin(this, pass);
+        }
+        int[] pixels = out.pixels();
+        share(painters.length, pass.plan.blocks(), (k, block) -> {
+            painters[k].paint(block, pixels);
+            progress.accept(pass.percent(block + 1));
+        });
+        SkyShade shade = pass.shade;
+        if (shade != null) {
+            share(painters.length, pass.plan.height, (k, row) -> shade.resolve(row, pass.only, pixels));
+        }
+    }
+
+    /** What a thread does with a part of the work. */
+    @FunctionalInterface
+    private interface Part {
+        void work(int thread, int part);
+    }
+
+    /** Shares parts among threads; one alone is the caller. */
+    private static void share(int threads, int parts, Part work) {
+        AtomicInteger taken = new AtomicInteger();
+        IntConsumer thread = k -> {
+            for (int part = taken.getAndIncrement(); part < parts; part = taken.getAndIncrement()) {
+                work.work(k, part);
+            }
+        };
+        if (threads == 1) {
+            thread.accept(0);
+        } else {
+            IntStream.range(0, threads).parallel().forEach(thread);
+        }
     }
 
     /** Takes a picture of a snapshot, on as many threads as the camera has. */
@@ -315,28 +412,7 @@ public final class ColorCamera {
         Checks.present("snapshot", snapshot);
         Checks.present("out", out).reset(plan.width, plan.height);
         Checks.present("progress", progress);
-        int count = Math.min(options.threads, plan.blocks());
-        BlockPainter[] painters = out.painters(snapshot, count);
-        SkyShade shade = options.smoothRays > 0 ? out.shade(plan) : null;
-        for (int k = 0; k < count; k++) {
-            painters[k].begin(this, shade);
-        }
-        int[] pixels = out.pixels();
-        AtomicInteger taken = new AtomicInteger();
-        IntStream.range(0, count).parallel().forEach(k -> {
-            for (int block = taken.getAndIncrement(); block < plan.blocks(); block = taken.getAndIncrement()) {
-                painters[k].paint(block, pixels);
-                progress.accept((int) (100L * (block + 1) / plan.blocks()));
-            }
-        });
-        if (shade != null) {
-            IntStream.range(0, count).parallel().forEach(k -> {
-                for (int row = k; row < plan.height; row += count) {
-                    shade.resolve(row, pixels);
-                }
-            });
-        }
-        out.finish(plan.width, plan.height);
+        paint(out.painters(snapshot, Math.min(options.threads, plan.blocks())), out, progress);
     }
 
     FramePlan plan() {
@@ -364,7 +440,7 @@ public final class ColorCamera {
         return other instanceof ColorCamera that
                 && plan.width == that.plan.width
                 && plan.height == that.plan.height
-                && plan.samples == that.plan.samples
+                && plan.isLike(that.plan)
                 && fieldOfView == that.fieldOfView
                 && pose.equals(that.pose)
                 && Objects.equals(carrier, that.carrier)

@@ -16,9 +16,12 @@ public record Lighting(Sky sky, List<Light> lights) {
     /** The most lights. Each is asked about at every point that is seen. */
     public static final int MOST_LIGHTS = 256;
 
-    /** A clear day, with the sun high on the left behind somebody who looks along -Z. */
+    /**
+     * A clear day, with the sun on the left behind somebody who looks along -Z, so that the sides of a box differ. Together its
+     * light makes white nearly white and no brighter.
+     */
     public static final Lighting DAY =
-            new Lighting(Sky.DAY, List.of(new Light.Sun(new Point(0.5, -1.0, -0.35), Color.parse("#fff3e0"), 0.95)));
+            new Lighting(Sky.DAY, List.of(new Light.Sun(new Point(0.55, -1.0, -0.6), Color.parse("#fff0d8"), 0.68)));
 
     /** No light at all. */
     public static final Lighting NONE = new Lighting(Sky.NONE, List.of());

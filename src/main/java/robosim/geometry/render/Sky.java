@@ -14,7 +14,7 @@ import robosim.geometry.material.Color;
  */
 public record Sky(Color zenith, Color horizon, Color ground, double strength) {
     /** A clear day. */
-    public static final Sky DAY = new Sky(Color.parse("#4d84c4"), Color.parse("#e3edf7"), Color.parse("#b4b6b8"), 0.62);
+    public static final Sky DAY = new Sky(Color.parse("#4d84c4"), Color.parse("#e3edf7"), Color.parse("#b4b6b8"), 0.7);
 
     /** A dark room: black, and no light at all. */
     public static final Sky NONE = new Sky(Color.BLACK, Color.BLACK, Color.BLACK, 0);

@@ -1,6 +1,7 @@
 package robosim.geometry.render;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Color;
 
 /**
@@ -98,9 +99,16 @@ final class SkyShade {
         sky[3 * at + 2] = (float) skyBlue;
     }
 
-    /** Writes a row of the picture. */
-    void resolve(int row, int[] out) {
+    /**
+     * Writes a row of the picture.
+     *
+     * @param only the pixels that are written; null for all
+     */
+    void resolve(int row, boolean @Nullable [] only, int[] out) {
         for (int at = row * width; at < (row + 1) * width; at++) {
+            if (only != null && !only[at]) {
+                continue;
+            }
             double share = share(at, at - row * width, row);
             out[at] = Color.component(light[3 * at] + share * sky[3 * at]) << 16
                     | Color.component(light[3 * at + 1] + share * sky[3 * at + 1]) << 8

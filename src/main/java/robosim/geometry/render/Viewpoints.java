@@ -1,5 +1,7 @@
 package robosim.geometry.render;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
@@ -10,6 +12,9 @@ import robosim.geometry.model.Pose;
 
 /** Poses for cameras: towards a point, around it, and so that a whole box is in the picture. */
 public final class Viewpoints {
+    /** The share of the picture that what is to be seen may reach over. */
+    private static final double FILLED = 0.93;
+
     private Viewpoints() {}
 
     /**
@@ -48,7 +53,8 @@ public final class Viewpoints {
     }
 
     /**
-     * The pose of a camera that sees a whole box from a direction, from as near as it can.
+     * The pose of a camera that sees a whole box from a direction, from as near as it can, with the box in the middle of the
+     * picture and a narrow border around it.
      *
      * @param azimuth     degrees counter-clockwise about the vertical from +X, where the camera stands as seen from the box
      * @param elevation   degrees above the level at which it stands, from -90 to 90
@@ -56,7 +62,25 @@ public final class Viewpoints {
      * @param aspect      width of the picture over its height
      */
     public static Pose around(Bounds box, double azimuth, double elevation, double fieldOfView, double aspect) {
-        Checks.present("box", box);
+        return around(corners(Checks.present("box", box)), azimuth, elevation, fieldOfView, aspect);
+    }
+
+    /**
+     * The pose of a camera that sees some points from a direction, from as near as it can: in the direction that decides how
+     * near that is, the points reach over {@value #FILLED} of the picture, and in both directions the border is the same on
+     * either side.
+     *
+     * @param points      at least one
+     * @param azimuth     degrees counter-clockwise about the vertical from +X, where the camera stands as seen from the points
+     * @param elevation   degrees above the level at which it stands, from -90 to 90
+     * @param fieldOfView horizontal field of view in degrees, above 0 and below 180
+     * @param aspect      width of the picture over its height
+     */
+    public static Pose around(
+            Collection<Point> points, double azimuth, double elevation, double fieldOfView, double aspect) {
+        if (Checks.present("points", points).isEmpty()) {
+            throw new IllegalArgumentException("points must not be empty (got: none)");
+        }
         Checks.angle("azimuth", azimuth);
         check("elevation", elevation, -90, 90);
         if (!(fieldOfView > 0 && fieldOfView < 180)) { // written so that NaN fails it
@@ -65,33 +89,52 @@ public final class Viewpoints {
         if (!(aspect > 0 && aspect <= 0x1p20)) {
             throw new IllegalArgumentException("aspect must be above 0 and at most 2^20 (got: " + aspect + ")");
         }
-        Point middle = new Point(
-                box.minX() / 2 + box.maxX() / 2, box.minY() / 2 + box.maxY() / 2, box.minZ() / 2 + box.maxZ() / 2);
         double away = Degrees.cos(elevation);
-        Point side = new Point(
-                middle.x() + Degrees.cos(azimuth) * away,
-                middle.y() + Degrees.sin(elevation),
-                middle.z() - Degrees.sin(azimuth) * away);
-        double[] r = lookAt(side, middle).rotation();
-        double tangent = Degrees.sin(fieldOfView / 2) / Degrees.cos(fieldOfView / 2);
-        // The distance from the middle at which each corner is just within the picture.
-        double distance = 0;
-        for (int corner = 0; corner < 8; corner++) {
-            double x = ((corner & 1) == 0 ? box.minX() : box.maxX()) - middle.x();
-            double y = ((corner & 2) == 0 ? box.minY() : box.maxY()) - middle.y();
-            double z = ((corner & 4) == 0 ? box.minZ() : box.maxZ()) - middle.z();
-            double ahead = r[0] * x + r[3] * y + r[6] * z;
-            double up = Math.abs(r[1] * x + r[4] * y + r[7] * z);
-            double right = Math.abs(r[2] * x + r[5] * y + r[8] * z);
-            distance = Math.max(distance, Math.max(right / tangent, up * aspect / tangent) - ahead);
+        Point back = new Point(Degrees.cos(azimuth) * away, Degrees.sin(elevation), -Degrees.sin(azimuth) * away);
+        Pose turned = lookAt(back, new Point());
+        double[] r = turned.rotation();
+        double wide = FILLED * Degrees.sin(fieldOfView / 2) / Degrees.cos(fieldOfView / 2);
+        double high = wide / aspect;
+        // The planes on the four sides of what may be seen each touch a point: their offsets, as seen along the
+        // camera's axes.
+        double right = Double.NEGATIVE_INFINITY;
+        double left = Double.NEGATIVE_INFINITY;
+        double top = Double.NEGATIVE_INFINITY;
+        double bottom = Double.NEGATIVE_INFINITY;
+        double near = Double.POSITIVE_INFINITY;
+        double far = Double.NEGATIVE_INFINITY;
+        for (Point point : points) {
+            double ahead = r[0] * point.x() + r[3] * point.y() + r[6] * point.z();
+            double up = r[1] * point.x() + r[4] * point.y() + r[7] * point.z();
+            double aside = r[2] * point.x() + r[5] * point.y() + r[8] * point.z();
+            right = Math.max(right, aside - wide * ahead);
+            left = Math.max(left, -aside - wide * ahead);
+            top = Math.max(top, up - high * ahead);
+            bottom = Math.max(bottom, -up - high * ahead);
+            near = Math.min(near, ahead);
+            far = Math.max(far, ahead);
         }
-        double far = Math.max(distance * 1.04, 0x1p-20); // a little air around it
-        return lookAt(
-                new Point(
-                        middle.x() + (side.x() - middle.x()) * far,
-                        middle.y() + (side.y() - middle.y()) * far,
-                        middle.z() + (side.z() - middle.z()) * far),
-                middle);
+        double ahead = Math.min(-(right + left) / (2 * wide), -(top + bottom) / (2 * high));
+        // In front of a single point too, and of a corner that is sharper than the picture is wide.
+        double eye = Math.min(ahead, near - Math.max((far - near) / 32, 0x1p-20 * Math.max(Math.abs(near), 0x1p-16)));
+        double up = (top - bottom) / 2;
+        double aside = (right - left) / 2;
+        return turned.movedTo(new Point(
+                r[0] * eye + r[1] * up + r[2] * aside,
+                r[3] * eye + r[4] * up + r[5] * aside,
+                r[6] * eye + r[7] * up + r[8] * aside));
+    }
+
+    /** The eight corners of a box. */
+    public static List<Point> corners(Bounds box) {
+        List<Point> corners = new ArrayList<>();
+        for (int corner = 0; corner < 8; corner++) {
+            corners.add(new Point(
+                    (corner & 1) == 0 ? box.minX() : box.maxX(),
+                    (corner & 2) == 0 ? box.minY() : box.maxY(),
+                    (corner & 4) == 0 ? box.minZ() : box.maxZ()));
+        }
+        return corners;
     }
 
     /** The smallest box along the axes that holds some boxes. */

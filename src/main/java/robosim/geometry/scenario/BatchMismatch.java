@@ -7,6 +7,7 @@ import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BatchRequest;
+import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.MeasureRequest;
@@ -14,6 +15,7 @@ import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.TickAnswer;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
@@ -93,7 +95,7 @@ final class BatchMismatch {
                     + picture.camera().height() + " pixels "
                     + (picture.isCarried() ? "by " + Text.quoted(picture.objectName()) : "in the world");
         }
-        if (request instanceof WorldRequest) {
+        if (request instanceof WorldRequest || request instanceof CopyRequest) {
             return "request for " + Text.line(request.toString());
         }
         if (request instanceof MeasureRequest measure) {
@@ -127,7 +129,9 @@ final class BatchMismatch {
                     : "#%06x at column %d of row %d"
                             .formatted(color(picture, item), item % picture.width(), item / picture.width());
         }
-        return answer instanceof WorldAnswer ? Text.line(answer.toString()) : "no answer";
+        return answer instanceof WorldAnswer || answer instanceof TickAnswer
+                ? Text.line(answer.toString())
+                : "no answer";
     }
 
     private static String normal(SenseAnswer answer, int beam) {

@@ -21,6 +21,7 @@ import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.TickAnswer;
 import robosim.geometry.scenario.recording.QuietLog;
 
 /**
@@ -134,6 +135,11 @@ public final class Replay {
         }
         if (answer instanceof MeasureRequest.Answer measure) {
             return measure.numbers().size();
+        }
+        if (answer instanceof TickAnswer tick) {
+            return (long) tick.touches().size()
+                    + tick.distances().size()
+                    + tick.singles().size();
         }
         return answer instanceof PictureAnswer picture ? (long) picture.width() * picture.height() : 1;
     }

@@ -1,11 +1,12 @@
 package robosim.geometry.sensor;
 
+import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.RayPattern;
 
 /**
  * The size of a camera's images and its intrinsic parameters, as ROS and OpenCV define them: pixel (u, v), counted from 0
- * at the top left, looks {@code (u - cx) / fx} to the right and {@code (v - cy) / fy} down for each unit forward. There is
+ * at the top left, looks {@code (u - cx) / fx} to the right and {@code (v - cy) / fy} down for each unit forward, if there is
  * no distortion.
  *
  * <pre>{@code
@@ -22,10 +23,147 @@ import robosim.geometry.model.RayPattern;
  * @param fy     focal length in heights of a pixel, above 0
  * @param cx     column of the optical axis
  * @param cy     row of the optical axis
+ * @param distortion how the lens bends what it shows
  */
-public record Intrinsics(int width, int height, double fx, double fy, double cx, double cy) {
+public record Intrinsics(int width, int height, double fx, double fy, double cx, double cy, Distortion distortion) {
+    /** The most steps towards the place that a lens shows in a pixel; a few are enough where it can be found at all. */
+    private static final int MOST_STEPS = 100;
+
+    /** How a lens bends what it shows, as OpenCV describes it. */
+    public enum Lens {
+        /**
+         * Brown and Conrady's: {@code plumb_bob} of ROS, {@code <distortion>} of SDFormat. With x to the right, y down and
+         * r<sup>2</sup> = x<sup>2</sup> + y<sup>2</sup> for each unit forward, a point is seen at x (1 + k1 r<sup>2</sup> +
+         * k2 r<sup>4</sup> + k3 r<sup>6</sup>) + 2 p1 x y + p2 (r<sup>2</sup> + 2 x<sup>2</sup>), and at y likewise with p1 and
+         * p2 exchanged.
+         */
+        BROWN_CONRADY,
+        /**
+         * A fisheye: {@code equidistant} of ROS. What is t radians off the axis is seen t (1 + k1 t<sup>2</sup> + k2
+         * t<sup>4</sup> + k3 t<sup>6</sup> + k4 t<sup>8</sup>) from it. It may see more than half of the world.
+         */
+        EQUIDISTANT
+    }
+
+    /**
+     * A lens with its coefficients, in the order of OpenCV.
+     *
+     * @param lens   what the numbers mean
+     * @param first  k1
+     * @param second k2
+     * @param third  p1 of Brown and Conrady, k3 of a fisheye
+     * @param fourth p2, or k4
+     * @param fifth  k3 of Brown and Conrady; 0 of a fisheye
+     */
+    public record Distortion(Lens lens, double first, double second, double third, double fourth, double fifth) {
+        /** A lens that bends nothing. */
+        public static final Distortion NONE = new Distortion(Lens.BROWN_CONRADY, 0, 0, 0, 0, 0);
+
+        /** Refuses numbers that are NaN or out of range. */
+        public Distortion {
+            Checks.present("lens", lens);
+            Checks.coordinate("first", first);
+            Checks.coordinate("second", second);
+            Checks.coordinate("third", third);
+            Checks.coordinate("fourth", fourth);
+            Checks.coordinate("fifth", fifth);
+            if (lens == Lens.EQUIDISTANT && fifth != 0) {
+                throw new IllegalArgumentException("fifth must be 0 for a fisheye (got: " + fifth + ")");
+            }
+        }
+
+        /** Of Brown and Conrady. */
+        public static Distortion brownConrady(double k1, double k2, double p1, double p2, double k3) {
+            return new Distortion(Lens.BROWN_CONRADY, k1, k2, p1, p2, k3);
+        }
+
+        /** Of an equidistant fisheye. */
+        public static Distortion fisheye(double k1, double k2, double k3, double k4) {
+            return new Distortion(Lens.EQUIDISTANT, k1, k2, k3, k4, 0);
+        }
+
+        /** Whether the camera is a pinhole. */
+        public boolean isNone() {
+            return equals(NONE);
+        }
+
+        /** The coefficients in the order of OpenCV and of a {@code CameraInfo} of ROS. */
+        public double[] coefficients() {
+            return lens == Lens.EQUIDISTANT
+                    ? new double[] {first, second, third, fourth}
+                    : new double[] {first, second, third, fourth, fifth};
+        }
+
+        /** Writes what is seen at a place of the image, a unit in front: forward, up and to the right. */
+        private boolean aim(double seenX, double seenY, double[] out, int at) {
+            if (lens == Lens.EQUIDISTANT) {
+                return aimFisheye(seenX, seenY, out, at);
+            }
+            double x = seenX;
+            double y = seenY;
+            for (int step = 0; step < MOST_STEPS; step++) {
+                double square = x * x + y * y;
+                double radial = 1 + square * (first + square * (second + square * fifth));
+                // Half of the derivative of the radial factor by r squared, times two.
+                double slope = 2 * (first + square * (2 * second + square * 3 * fifth));
+                double offX = x * radial + 2 * third * x * y + fourth * (square + 2 * x * x) - seenX;
+                double offY = y * radial + 2 * fourth * x * y + third * (square + 2 * y * y) - seenY;
+                double xx = radial + slope * x * x + 2 * third * y + 6 * fourth * x;
+                double xy = slope * x * y + 2 * third * x + 2 * fourth * y;
+                double yy = radial + slope * y * y + 2 * fourth * x + 6 * third * y;
+                double determinant = xx * yy - xy * xy;
+                if (!(determinant > 0) || !(xx + yy > 0)) {
+                    return false; // beyond where the lens turns what it shows inside out
+                }
+                double moveX = (offX * yy - offY * xy) / determinant;
+                double moveY = (offY * xx - offX * xy) / determinant;
+                x -= moveX;
+                y -= moveY;
+                if (Math.abs(moveX) + Math.abs(moveY) <= 0x1p-48 * (1 + Math.abs(x) + Math.abs(y))) {
+                    unit(1, -y, x, out, at);
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        private boolean aimFisheye(double seenX, double seenY, double[] out, int at) {
+            double seen = Math.sqrt(seenX * seenX + seenY * seenY);
+            double off = seen; // radians off the axis
+            for (int step = 0; step < MOST_STEPS; step++) {
+                double s = off * off;
+                double shown = off * (1 + s * (first + s * (second + s * (third + s * fourth))));
+                double slope = 1 + s * (3 * first + s * (5 * second + s * (7 * third + s * 9 * fourth)));
+                if (!(slope > 0) || off > Math.PI) {
+                    return false;
+                }
+                double move = (shown - seen) / slope;
+                off -= move;
+                if (Math.abs(move) <= 0x1p-48 * (1 + off)) {
+                    double aside = seen > 0 ? StrictMath.sin(off) / seen : 1;
+                    unit(StrictMath.cos(off), -seenY * aside, seenX * aside, out, at);
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        private static void unit(double x, double y, double z, double[] out, int at) {
+            double length = Math.sqrt(x * x + y * y + z * z);
+            out[at] = x / length + 0.0; // no -0.0
+            out[at + 1] = y / length + 0.0;
+            out[at + 2] = z / length + 0.0;
+        }
+    }
+
+    /** A camera without distortion. */
+    public Intrinsics(int width, int height, double fx, double fy, double cx, double cy) {
+        this(width, height, fx, fy, cx, cy, Distortion.NONE);
+    }
+
     /** Refuses numbers out of range. */
     public Intrinsics {
+        Checks.present("distortion", distortion);
         checkSize("width", width, 1, "");
         checkSize("height", height, width, " rows of " + width + " pixels");
         checkFocalLength("fx", fx);
@@ -71,8 +209,45 @@ public record Intrinsics(int width, int height, double fx, double fy, double cx,
         }
     }
 
-    /** One ray through the middle of each pixel, row by row from the top. */
+    /** The same camera with another lens. */
+    public Intrinsics withDistortion(Distortion other) {
+        return new Intrinsics(width, height, fx, fy, cx, cy, other);
+    }
+
+    /**
+     * One ray through the middle of each pixel, row by row from the top.
+     *
+     * @throws IllegalArgumentException if the distortion shows nothing in some pixel: its numbers are not for this image
+     */
     public RayPattern pattern() {
-        return RayPattern.pinhole(width, height, fx, fy, cx, cy);
+        if (distortion.isNone()) {
+            return RayPattern.pinhole(width, height, fx, fy, cx, cy);
+        }
+        double[] directions = new double[3 * width * height];
+        int at = 0;
+        for (int row = 0; row < height; row++) {
+            for (int column = 0; column < width; column++, at += 3) {
+                aim(column, row, directions, at);
+            }
+        }
+        return RayPattern.of(width, height, directions);
+    }
+
+    /**
+     * Writes the unit direction of a place in the image: forward, up and to the right.
+     *
+     * @param column counted from 0, the middle of the first pixel; may be between pixels
+     * @param row    likewise, from the top
+     * @param out    takes three numbers
+     * @param at     the index of the first one
+     * @throws IllegalArgumentException if the distortion shows nothing there
+     */
+    public void aim(double column, double row, double[] out, int at) {
+        if (!distortion.aim((column - cx) / fx, (row - cy) / fy, out, at)) {
+            throw new IllegalArgumentException(
+                    "distortion must show something in every pixel; check its coefficients and"
+                            + " the focal length (got: " + distortion + ", nothing in column " + column + " of row "
+                            + row + ")");
+        }
     }
 }

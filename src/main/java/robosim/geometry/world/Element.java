@@ -23,6 +23,10 @@ final class Element {
     /** The members of a group, or the one volume of a bounds element. */
     final List<GeometryObject> members = new ArrayList<>();
 
+    /** What is seen of an object; null for its shape. */
+    @Nullable
+    List<GeometryObject> visuals;
+
     final List<SonarRing> sonars = new ArrayList<>();
     final List<Point> vertices = new ArrayList<>();
     final List<int[]> faces = new ArrayList<>();

@@ -69,16 +69,16 @@ public record SdfSensor(
         Set<String> elements = new TreeSet<>();
         values.forEach((path, value) -> {
             String[] names = path.split("/", -1);
-            if (names.length == 3 && names[0].equals("lens")) { // <intrinsics> or <projection>, and a number
+            if (names.length == 3 && names[0].equals("lens") && !names[1].equals("intrinsics")) { // and a number
                 elements.add("<lens><" + names[1] + ">");
-            } else if (path.startsWith("distortion/") && !isZero(value)) {
-                elements.add("<distortion>");
+            } else if (path.equals("lens/intrinsics/s") && !isZero(value)) {
+                elements.add("<s> of <lens><intrinsics>");
             }
         });
         return elements.isEmpty()
                 ? Optional.empty()
-                : Optional.of(source + ":" + line + ": sensor " + name + ": " + String.join(", ", elements)
-                        + " is ignored; the camera is a pinhole with its <horizontal_fov> and without distortion");
+                : Optional.of(
+                        source + ":" + line + ": sensor " + name + ": " + String.join(", ", elements) + " is ignored");
     }
 
     private static boolean isZero(String number) {
@@ -207,13 +207,31 @@ public record SdfSensor(
         }
     }
 
-    /** Size and lens of a camera of any kind. */
+    /**
+     * Size and lens of a camera of any kind: as {@code <lens><intrinsics>} and {@code <distortion>} say, and for what they leave
+     * out, as {@code <horizontal_fov>} does.
+     */
     public Intrinsics intrinsics() {
         if (!kind().isCamera()) {
             throw new IllegalArgumentException("sensor must be a camera (got: " + name + " of type " + type + ")");
         }
         try {
-            return Intrinsics.fieldOfView(whole("image/width", 320), whole("image/height", 240), fieldOfView());
+            Intrinsics usual =
+                    Intrinsics.fieldOfView(whole("image/width", 320), whole("image/height", 240), fieldOfView());
+            String given = "lens/intrinsics/";
+            return new Intrinsics(
+                    usual.width(),
+                    usual.height(),
+                    number(given + "fx", usual.fx()),
+                    number(given + "fy", usual.fy()),
+                    number(given + "cx", usual.cx()),
+                    number(given + "cy", usual.cy()),
+                    Intrinsics.Distortion.brownConrady(
+                            number("distortion/k1", 0),
+                            number("distortion/k2", 0),
+                            number("distortion/p1", 0),
+                            number("distortion/p2", 0),
+                            number("distortion/k3", 0)));
         } catch (IllegalArgumentException e) {
             throw refused(e);
         }

@@ -229,7 +229,8 @@ final class WorldHandler extends XmlHandler {
             GeometryObject object = builder.object(element);
             if (parent.parent == null) {
                 ObjectBody body = ObjectBuilder.body(element.motion, object);
-                objects.add(new WorldObject(object, element.attribute("color"), element.sonars, body));
+                GeometryObject seen = element.visuals == null ? object : object.withVisuals(element.visuals);
+                objects.add(new WorldObject(seen, element.attribute("color"), element.sonars, body));
             } else {
                 parent.members.add(object);
             }
@@ -241,6 +242,7 @@ final class WorldHandler extends XmlHandler {
         }
         switch (element.name) {
             case "bounds" -> parent.bounds = element.members.get(0);
+            case "visual" -> parent.visuals = element.members;
             case "sonar" -> parent.sonars.add(builder.sonar(element));
             case "body", "drive" -> parent.motion = element;
             case "material" -> builder.materials.define(element);

@@ -208,6 +208,10 @@ final class WorldMaterials {
         if (!isToldBy(object.material(), color)) {
             names.computeIfAbsent(object.material(), other -> "material " + (names.size() + 1));
         }
+        List<GeometryObject> visuals = object.visuals();
+        if (visuals != null) {
+            visuals.forEach(visual -> name(visual, colorOf(visual), names));
+        }
         GeometryObject bounds = null;
         if (object instanceof ObjectGroup group) {
             bounds = group.boundingVolume();

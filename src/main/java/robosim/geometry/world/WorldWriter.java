@@ -177,6 +177,14 @@ public final class WorldWriter {
         }
         int begin = out.append(">\n").length();
         content(object, depth + 1);
+        List<GeometryObject> visuals = object.visuals();
+        if (visuals != null) {
+            indent(depth + 1).append("<visual>\n");
+            for (GeometryObject visual : visuals) {
+                object(visual, WorldMaterials.colorOf(visual), List.of(), null, depth + 2);
+            }
+            close("visual", depth + 1);
+        }
         for (SonarRing sonar : sonars) {
             sonar(sonar, depth + 1);
         }

@@ -259,7 +259,7 @@ class View {
 
   /** The sun's camera, around the whole scene. */
   sunCamera() {
-    const s = this.data.space, radius = Math.hypot(s[0], s[1], s[2]) / 2 * 1.02 || 1, sun = this.sun = unit([0.42, 1, 0.55]);
+    const s = this.data.space, radius = Math.hypot(s[0], s[1], s[2]) / 2 * 1.02 || 1, sun = this.sun = unit([-0.55, 1, 0.6]);
     return product(parallel(2 * radius, 2 * radius, 0, 4 * radius), lookAt(times(sun, 2 * radius), [0, 0, 0], [0, 0, -1]));
   }
 

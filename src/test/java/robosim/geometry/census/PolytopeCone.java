@@ -211,6 +211,9 @@ final class PolytopeCone implements Kernel {
             away = normal();
         }
         double far = near * random.nextDouble(0.01, 2);
+        if (adversarial && random.nextInt(12) == 0) {
+            far = StrictMath.pow(10, random.nextDouble(1, shape == Shape.MESH ? 5 : 6));
+        }
         for (int k = 0; k < 3; k++) {
             q.apex[k] = at[k] + far * away[k];
         }

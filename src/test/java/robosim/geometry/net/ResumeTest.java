@@ -1,6 +1,7 @@
 package robosim.geometry.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -16,6 +17,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.net.pace.Watchdog;
+import robosim.geometry.net.pace.WorldMemory;
 
 /** Sessions that outlive their connections. */
 class ResumeTest {
@@ -207,6 +210,37 @@ class ResumeTest {
             }
         }
         HostilePeerTest.await(() -> ended.get() == opened.get());
+    }
+
+    @Test
+    void oneMachineKeepsFewAndTheirMemoryIsGivenBack() throws Exception {
+        WorldMemory memory = new WorldMemory(1 << 20);
+        InetAddress robot = InetAddress.getByName("10.0.0.7");
+        try (Watchdog watchdog = new Watchdog("test", Duration.ofSeconds(1))) {
+            KeptSessions kept = new KeptSessions(Duration.ofMinutes(5), watchdog);
+            List<String> tokens = new ArrayList<>();
+            for (int k = 0; k <= KeptSessions.MOST_FROM_ONE; k++) {
+                WorldMemory.Share share = memory.share();
+                share.claim(100_000); // the first has room
+                SessionListener listener = options(Duration.ZERO).listeners().apply("");
+                KeptSessions.Kept each =
+                        new KeptSessions.Kept(new Session(SessionOptions.ROBOSIM, listener, ""), listener, share);
+                tokens.add(kept.begin(each, () -> {}, robot, "CN=robot"));
+                assertThat(kept.release(each, true)).isTrue();
+            }
+            assertThatThrownBy(() -> kept.resume(tokens.get(0), () -> {}, robot, "CN=robot"))
+                    .hasMessageContaining("no session is kept");
+            assertThatThrownBy(() -> kept.resume(tokens.get(1), () -> {}, robot, "CN=thief"))
+                    .hasMessageContaining("no session is kept");
+            kept.resume(tokens.get(1), () -> {}, robot, "CN=robot");
+            int dropped = 0;
+            while (kept.makeRoom()) {
+                dropped++;
+            }
+            assertThat(dropped).isEqualTo(KeptSessions.MOST_FROM_ONE - 1); // not the one that is held
+            assertThat(memory.share().claim(130_000)).isNull(); // nearly all of it
+        }
+        HostilePeerTest.await(() -> ended.get() == KeptSessions.MOST_FROM_ONE);
     }
 
     @Test

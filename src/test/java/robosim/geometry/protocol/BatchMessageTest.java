@@ -52,6 +52,7 @@ class BatchMessageTest {
         bundles.addAll(BatchSamples.world());
         bundles.addAll(BatchSamples.obstacles());
         bundles.addAll(BatchSamples.listed());
+        bundles.addAll(BatchSamples.copies());
         byte[] bytes = MessageTest.write(bundles.toArray(Bundle[]::new));
         assertThat(MessageTest.readAll(bytes)).isEqualTo(bundles);
     }

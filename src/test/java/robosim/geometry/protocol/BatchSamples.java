@@ -10,6 +10,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
@@ -26,6 +27,7 @@ import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SceneLight;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
+import robosim.geometry.protocol.batch.TickAnswer;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.SurfaceMixing;
@@ -271,6 +273,29 @@ public final class BatchSamples {
                         new WorldAnswer.Listed(List.of(), -1),
                         new WorldAnswer.Listed(List.of(first, last), -1),
                         new WorldAnswer.Listed(List.of(first, last), (1L << 53) - 1))));
+    }
+
+    /** What came after those: copies of the world. */
+    public static List<Bundle> copies() {
+        SenseRequest laser = new SenseRequest("robot", new BeamPattern.Fan(-1, 1, 3));
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new CopyRequest.Make(0),
+                        new CopyRequest.Make(CopyRequest.MOST - 1),
+                        new CopyRequest.Tick(
+                                "robot", Numbers.of(0.1, 1, -0.0, Math.PI), List.of("robot"), List.of(laser), false),
+                        new CopyRequest.Tick("robot", Numbers.of(3600, 1, 2, 3), List.of(), List.of(laser), true),
+                        new CopyRequest.Tick("robot", Numbers.NONE, List.of(), List.of(), false))),
+                new BatchAnswerBundle(List.of(
+                        new TickAnswer(
+                                Numbers.of(1, 2, 3, -0.0, 5, 6, 7, 8),
+                                new Integers(new int[] {2}),
+                                Numbers.of(1, 0.1, INFINITY),
+                                Integers.NONE),
+                        new TickAnswer(Numbers.NONE, Integers.NONE, Numbers.NONE, new Integers(new int[] {
+                            Float.floatToIntBits(0.1f)
+                        })),
+                        new TickAnswer(Numbers.NONE, Integers.NONE, Numbers.NONE, Integers.NONE))));
     }
 
     /** The bundles. */

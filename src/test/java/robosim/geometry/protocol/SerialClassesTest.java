@@ -94,7 +94,7 @@ class SerialClassesTest {
                         .isTrue();
             }
         }
-        assertThat(crossing).isEqualTo(91);
+        assertThat(crossing).isEqualTo(95);
     }
 
     /** An object under its own class's name, as no writer makes it. */
@@ -121,6 +121,7 @@ class SerialClassesTest {
     @Test
     void theStoredBytesHoldEveryClass() throws Exception {
         String stored = new String(StoredBytesTest.stored(StoredBytesTest.WITH_MATERIALS), StandardCharsets.ISO_8859_1)
+                + new String(StoredBytesTest.stored(StoredBytesTest.WITH_VISUALS), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("batches.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("frames.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("pictures.ser"), StandardCharsets.ISO_8859_1)

@@ -6,8 +6,16 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
 
 /** What the first release wrote is understood for ever. */
 class StoredBytesTest {
@@ -15,6 +23,7 @@ class StoredBytesTest {
     private static final String WITH_CAPSULES = "with-capsules.ser";
     private static final String WITH_GRIDS = "with-grids.ser";
     static final String WITH_MATERIALS = "with-materials.ser";
+    static final String WITH_VISUALS = "with-visuals.ser";
 
     @Test
     void theFirstReleasesBytesMeanWhatTheyMeant() throws IOException {
@@ -38,6 +47,21 @@ class StoredBytesTest {
         assertThat(MessageTest.readAll(stored(WITH_MATERIALS))).isEqualTo(Samples.everyBundle());
     }
 
+    @Test
+    void bytesWithCopiesAndVisualsMeanWhatTheyMeant() throws IOException {
+        assertThat(MessageTest.readAll(stored(WITH_VISUALS))).isEqualTo(withVisuals());
+    }
+
+    /** Requests about copies of a world, and an object that is seen as another one. */
+    private static List<Bundle> withVisuals() {
+        List<Bundle> bundles = new ArrayList<>(BatchSamples.copies());
+        GeometryObject seen = new SphereObject(new Point(0, 0.5, 0), 0.25).withMaterial(Material.of(Color.WHITE));
+        bundles.add(new InitBundle(List.of(new BoxObject(new Point(1, 2, 3), 1, 1, 1)
+                .withVisuals(List.of(seen))
+                .moveable("robot"))));
+        return bundles;
+    }
+
     /** Who knows no materials understands what has none. */
     @Test
     void objectsWithoutMaterialsAreWrittenAsEver() throws IOException {
@@ -56,8 +80,8 @@ class StoredBytesTest {
         private Write() {}
 
         public static void main(String[] args) throws IOException {
-            byte[] bytes = MessageTest.write(Samples.everyBundle().toArray(Bundle[]::new));
-            Files.write(Path.of(args[0], WITH_MATERIALS), bytes);
+            byte[] bytes = MessageTest.write(withVisuals().toArray(Bundle[]::new));
+            Files.write(Path.of(args[0], WITH_VISUALS), bytes);
         }
     }
 }

@@ -67,8 +67,9 @@ class SdfMaterialsTest {
         assertThat(read.world().objects().get(0).color()).isEqualTo("#4080ff");
         assertThat(object(collision("c") + visual("v", "")).material().isDefault())
                 .isTrue();
-        assertThat(object(collision("c") + visual("v", material(""))).material().isDefault())
-                .isTrue();
+        assertThat(object(collision("c") + visual("v", material(""))).material())
+                .as("Gazebo/Grey")
+                .isEqualTo(Material.of(Color.parse("#b3b3b3")));
         assertThat(object(collision("c")).material().isDefault()).isTrue();
     }
 

@@ -131,7 +131,7 @@ class WorldReaderTest {
                 "<sonar count='1'/>|2|19|<sonar> is not allowed in <world>; allowed here: <material>, <box>",
                 "<box xmlns='other'/>|2|21|<box> of the namespace \"other\" is not allowed",
                 "<box width='1' height='1' length='1'>~~<box width='1' height='1' length='1'/></box>|3|39|"
-                        + "<box> is not allowed in <box>; allowed here: <sonar>",
+                        + "<box> is not allowed in <box>; allowed here: <visual>",
                 "<box height='1' length='1'/>|2|29|<box> needs the attribute width",
                 "<box width='1' height='1' length='1' colour='#000000'/>|2|56|<box> has no attribute colour",
                 "<box width='abc' height='1' length='1'/>|2|41|width of <box> must be a length of at least 0,",

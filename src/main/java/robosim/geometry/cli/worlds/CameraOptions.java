@@ -6,16 +6,14 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.UsageException;
-import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
-import robosim.geometry.render.Lighting;
-import robosim.geometry.render.Sky;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.world.SdfSensor;
+import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 
 /** The options of a picture in three dimensions. */
@@ -25,6 +23,8 @@ public final class CameraOptions {
 
     private static final String SENSOR = "sensor:";
 
+    private static final String OVERVIEW = "overview";
+    private static final String ORBIT = "orbit";
     private static final String USUAL_SIZE = "960x640";
 
     private static final double AZIMUTH = -62;
@@ -37,7 +37,7 @@ public final class CameraOptions {
                     + " one picture), orbit (a picture from each of --frames places around), robot:NAME (from a robot),"
                     + " sensor:NAME (a camera that WORLD, in SDFormat, describes, with its size and field of view), or"
                     + " X,Y,Z (from a point)")
-    private String camera = "overview";
+    private String camera = OVERVIEW;
 
     @Option(
             names = "--look-at",
@@ -63,15 +63,16 @@ public final class CameraOptions {
     @Option(
             names = "--samples",
             paramLabel = "N",
-            description = "N x N rays for each pixel, for smooth edges (default: ${DEFAULT-VALUE})")
-    private int samples = 3;
+            description =
+                    "N x N rays for each pixel at an edge, and for each one with --show (default: ${DEFAULT-VALUE})")
+    private int samples = 2;
 
     @Option(
             names = "--sky-rays",
             paramLabel = "N",
             description = "rays for each pixel that look for the sky, for soft shadows; 0 for none (default:"
                     + " ${DEFAULT-VALUE})")
-    private int skyRays = 3;
+    private int skyRays = 1;
 
     @Option(
             names = "--mirrors",
@@ -82,16 +83,26 @@ public final class CameraOptions {
     @Option(names = "--frames", paramLabel = "N", description = "pictures of an orbit (default: ${DEFAULT-VALUE})")
     private int frames = 24;
 
+    @Option(names = "--orbit", description = "the same as --camera orbit")
+    private boolean isOrbit;
+
     @Option(names = "--no-floor", description = "lay no floor under the world")
     private boolean noFloor;
 
     private @Nullable SdfSensor sensor;
 
+    /** That of the sensor, unless it has been given another size or field of view. */
+    private @Nullable Intrinsics lens;
+
     /** A camera, and where its picture stands in the whole. */
     record Shot(ColorCamera camera, int left, int top) {}
 
-    boolean hasFloor() {
-        return !noFloor;
+    /** The world as these cameras see it. */
+    CameraWorld studio(World world, PictureStyle show) {
+        CameraWorld.Ground ground = noFloor
+                ? CameraWorld.Ground.NONE
+                : show == PictureStyle.COLOUR ? CameraWorld.Ground.WIDE : CameraWorld.Ground.FLOOR;
+        return new CameraWorld(world, ground);
     }
 
     int width() {
@@ -112,6 +123,7 @@ public final class CameraOptions {
             }
             try {
                 Intrinsics own = found.intrinsics();
+                lens = size == null && fieldOfView == null ? own : null;
                 size = size == null ? own.width() + "x" + own.height() : size;
                 fieldOfView = fieldOfView(found.fieldOfView());
             } catch (IllegalArgumentException e) {
@@ -149,52 +161,60 @@ public final class CameraOptions {
     private List<List<Shot>> shots(CameraWorld studio) {
         SdfSensor found = sensor;
         if (found != null) {
-            ColorCamera plain = camera(studio, width(), height(), 40);
+            Intrinsics own = lens;
+            ColorCamera plain = own == null ? camera(studio, width(), height(), 40) : lit(ColorCamera.of(own), studio);
             String carrier = found.carrier();
             return List.of(List.of(
                     new Shot(carrier == null ? plain.at(found.pose()) : plain.on(carrier, found.pose()), 0, 0)));
         }
-        Bounds box = studio.content();
+        if (isOrbit) {
+            Arguments.refuse(
+                    !camera.equals(OVERVIEW) && !camera.equals(ORBIT),
+                    "--camera must be left out with --orbit",
+                    camera);
+            camera = ORBIT;
+        }
         if (camera.startsWith(ROBOT)) {
             return List.of(List.of(new Shot(onRobot(studio, camera.substring(ROBOT.length())), 0, 0)));
         }
         switch (camera) {
-            case "orbit" -> {
+            case ORBIT -> {
                 List<List<Shot>> pictures = new ArrayList<>();
                 for (int k = 0; k < frames; k++) {
-                    pictures.add(one(studio, around(box, AZIMUTH + 360.0 * k / frames, ELEVATION)));
+                    pictures.add(one(studio, around(studio, AZIMUTH + 360.0 * k / frames, ELEVATION)));
                 }
                 return pictures;
             }
             case "four" -> {
-                return List.of(four(studio, box));
+                return List.of(four(studio));
             }
-            case "overview", "top", "front", "side" -> {
-                return List.of(one(studio, named(box, camera)));
+            case OVERVIEW, "top", "front", "side" -> {
+                return List.of(one(studio, named(studio, camera)));
             }
             default -> {
                 Point eye = point("--camera", camera);
-                return List.of(one(studio, Viewpoints.lookAt(eye, target(box))));
+                return List.of(one(studio, Viewpoints.lookAt(eye, target(studio))));
             }
         }
     }
 
-    private Pose named(Bounds box, String view) {
+    private Pose named(CameraWorld studio, String view) {
         return switch (view) {
-            case "top" -> around(box, -90, 90);
-            case "front" -> around(box, -90, 12);
-            case "side" -> around(box, 0, 12);
-            default -> around(box, AZIMUTH, ELEVATION);
+            case "top" -> around(studio, -90, 90);
+            case "front" -> around(studio, -90, 12);
+            case "side" -> around(studio, 0, 12);
+            default -> around(studio, AZIMUTH, ELEVATION);
         };
     }
 
-    private Pose around(Bounds box, double azimuth, double elevation) {
-        Pose pose = Viewpoints.around(box, azimuth, elevation, fieldOfView(40), (double) width() / height());
-        return target == null ? pose : Viewpoints.lookAt(pose.center(), target(box));
+    private Pose around(CameraWorld studio, double azimuth, double elevation) {
+        double aspect = (double) width() / height();
+        Pose pose = Viewpoints.around(studio.outline(), azimuth, elevation, fieldOfView(40), aspect);
+        return target == null ? pose : Viewpoints.lookAt(pose.center(), target(studio));
     }
 
-    private Point target(Bounds box) {
-        return target == null ? CameraWorld.middle(box) : point("--look-at", target);
+    private Point target(CameraWorld studio) {
+        return target == null ? CameraWorld.middle(studio.content()) : point("--look-at", target);
     }
 
     private double fieldOfView(double usual) {
@@ -202,10 +222,12 @@ public final class CameraOptions {
     }
 
     private ColorCamera camera(CameraWorld studio, int width, int height, double usualFieldOfView) {
-        return ColorCamera.of(width, height, fieldOfView(usualFieldOfView))
-                .withSamples(samples)
+        return lit(ColorCamera.of(width, height, fieldOfView(usualFieldOfView)), studio);
+    }
+
+    private ColorCamera lit(ColorCamera camera, CameraWorld studio) {
+        return camera.withSmoothEdges(samples)
                 .withMirrors(mirrors)
-                .withLighting(skyRays > 0 ? Lighting.DAY.withSky(Sky.DAY.withStrength(0.8)) : Lighting.DAY)
                 .withSmoothSky(skyRays, studio.skyReach())
                 .withThreads(Runtime.getRuntime().availableProcessors());
     }
@@ -214,14 +236,14 @@ public final class CameraOptions {
         return List.of(new Shot(camera(studio, width(), height(), 40).at(pose), 0, 0));
     }
 
-    private List<Shot> four(CameraWorld studio, Bounds box) {
+    private List<Shot> four(CameraWorld studio) {
         List<Shot> shots = new ArrayList<>();
         for (String view : List.of("top", "front", "side", "overview")) {
             int left = shots.size() % 2 * (width() / 2);
             int top = shots.size() / 2 * (height() / 2);
             int wide = left == 0 ? width() / 2 : width() - left;
             int high = top == 0 ? height() / 2 : height() - top;
-            shots.add(new Shot(camera(studio, wide, high, 40).at(named(box, view)), left, top));
+            shots.add(new Shot(camera(studio, wide, high, 40).at(named(studio, view)), left, top));
         }
         return shots;
     }

@@ -1,25 +1,30 @@
 package robosim.geometry.cli.worlds;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.check.Text;
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.Viewpoints;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.shared.Floor;
 import robosim.geometry.world.shared.Placement;
 
 /** A world as a camera sees it: with heights, whatever its dimension is, and on a floor. */
@@ -30,39 +35,81 @@ final class CameraWorld {
     /** The floor reaches beyond what stands on it by this share. */
     private static final double RIM = 0.04;
 
+    /** How far a wide ground reaches, in sizes of the world: its edge is within a pixel of the horizon. */
+    private static final double HORIZON = 400;
+
     private final World world;
     private final Geometry geometry;
     private final Bounds content;
+    private final List<GeometryObject> shown;
     private final Map<GeometryObject, Integer> numbers = new HashMap<>();
 
-    /** @param hasFloor whether a floor is laid under the lowest object */
-    CameraWorld(World world, boolean hasFloor) {
+    /** What lies under the lowest object. */
+    enum Ground {
+        NONE,
+        /** Slightly larger than what stands on it. */
+        FLOOR,
+        /** As far as one can see. */
+        WIDE
+    }
+
+    CameraWorld(World world, Ground ground) {
         this.world = world;
-        List<Bounds> boxes = world.objects().stream()
+        // A floor that fills the world has no part in its picture, where other things stand on it.
+        List<GeometryObject> standing = world.objects().stream()
                 .map(WorldObject::object)
-                .map(GeometryObject::bounds)
+                .filter(object -> !Floor.isFloor(object, world.width(), world.length()))
+                .<GeometryObject>mapMulti(CameraWorld::see)
                 .toList();
+        shown = standing.isEmpty()
+                ? world.objects().stream()
+                        .map(WorldObject::object)
+                        .<GeometryObject>mapMulti(CameraWorld::see)
+                        .toList()
+                : standing;
+        List<Bounds> boxes = shown.stream().map(GeometryObject::bounds).toList();
         content = boxes.isEmpty() ? empty(world) : Viewpoints.enclosing(boxes);
         double most = 2 * Math.max(largest(content), Math.max(world.width(), Math.max(world.height(), world.length())));
-        geometry = new Geometry(4 * most, 4 * most, 4 * most, Dimension.SPATIAL, world.accuracy());
+        double side = 4 * most * (ground == Ground.WIDE ? HORIZON : 1);
+        geometry = new Geometry(side, side, side, Dimension.SPATIAL, world.accuracy());
         for (WorldObject object : world.objects()) {
-            geometry.addObjectUnchecked(object.object());
-            numbers.put(object.object(), numbers.size() + 1);
+            GeometryObject seen = object.object().seen();
+            if (seen != null && isBareFloor(seen)) {
+                seen = seen.withMaterial(FLOOR); // as the ground around it
+            }
+            if (seen != null) {
+                geometry.addObjectUnchecked(seen);
+                numbers.put(seen, numbers.size() + 1);
+            }
         }
-        if (hasFloor) {
-            double width = content.maxX() - content.minX();
-            double length = content.maxZ() - content.minZ();
-            double rim = RIM * Math.max(width, length);
-            double thick = Math.max(rim, (content.maxY() - content.minY()) / 20) / 2;
-            geometry.addObjectUnchecked(new BoxObject(
-                            new Point(
-                                    middle(content).x(),
-                                    content.minY() - thick / 2,
-                                    middle(content).z()),
-                            width + 2 * rim,
-                            thick,
-                            length + 2 * rim)
-                    .withMaterial(FLOOR));
+        if (ground != Ground.NONE) {
+            lay(ground, most);
+        }
+    }
+
+    /** Lays what all stands on. */
+    private void lay(Ground ground, double most) {
+        double width = content.maxX() - content.minX();
+        double length = content.maxZ() - content.minZ();
+        double rim = ground == Ground.WIDE ? HORIZON * most : RIM * Math.max(width, length);
+        double thick = Math.max(RIM * Math.max(width, length), (content.maxY() - content.minY()) / 20) / 2;
+        Point middle = middle(content);
+        geometry.addObjectUnchecked(new BoxObject(
+                        new Point(middle.x(), content.minY() - thick / 2, middle.z()),
+                        width + 2 * rim,
+                        thick,
+                        length + 2 * rim)
+                .withMaterial(FLOOR));
+    }
+
+    private boolean isBareFloor(GeometryObject object) {
+        return object.material().isDefault() && Floor.isFloor(object, world.width(), world.length());
+    }
+
+    private static void see(GeometryObject object, Consumer<GeometryObject> seen) {
+        GeometryObject look = object.seen();
+        if (look != null) {
+            seen.accept(look);
         }
     }
 
@@ -86,6 +133,30 @@ final class CameraWorld {
     /** The box that holds all objects. */
     Bounds content() {
         return content;
+    }
+
+    /** Points that all objects lie between, as seen from anywhere; few, except for a mesh that is alone. */
+    List<Point> outline() {
+        if (shown.isEmpty()) {
+            return Viewpoints.corners(content);
+        }
+        List<Point> points = new ArrayList<>();
+        for (GeometryObject object : shown) {
+            if (shown.size() == 1 && object instanceof MeshObject mesh) {
+                double[] place = new double[Pose.PLACE];
+                mesh.pose().place(place, 0);
+                TriangleMesh surface = mesh.triangles();
+                for (int k = 0; k < surface.vertices(); k++) {
+                    points.add(new Point(
+                            surface.placed(k, 0, place, 0),
+                            surface.placed(k, 1, place, 0),
+                            surface.placed(k, 2, place, 0)));
+                }
+            } else {
+                points.addAll(Viewpoints.corners(object.bounds()));
+            }
+        }
+        return points;
     }
 
     /** The scale of what hides the sky: a part of the world, so that rooms are not dark. */

@@ -46,9 +46,7 @@ enum PictureStyle {
     /** The picture of a sensor in a camera's place, as colours row by row: each is the mean of several samples. */
     int[] picture(ColorCamera camera, CameraWorld studio, Snapshot world) {
         int samples = camera.samples();
-        int width = camera.width() * samples;
-        int height = camera.height() * samples;
-        Intrinsics intrinsics = Intrinsics.fieldOfView(width, height, camera.fieldOfView());
+        Intrinsics intrinsics = camera.intrinsics(samples);
         int[] fine = switch (this) {
             case DEPTH -> {
                 DepthFrame frame = new DepthFrame();

@@ -19,6 +19,7 @@ import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
+import robosim.geometry.image.GifWriter;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.render.ColorFrame;
 import robosim.geometry.viewer.draw.Painter;
@@ -27,6 +28,7 @@ import robosim.geometry.viewer.playback.Frame;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.shared.AtomicFileWriter;
@@ -38,8 +40,8 @@ import robosim.geometry.world.shared.AtomicFileWriter;
             "Takes a picture of a world, in colour and with shadows, as a .png; or draws its plan from above, as an"
                     + " .svg or with --plan. Needs no display.",
             "",
-            "The picture shows heights, also of a PLANAR world, and lays a floor under what stands lowest. An orbit is"
-                    + " a series of pictures, FILE with a number before its ending.",
+            "The picture shows heights, also of a PLANAR world, and lays the ground under what stands lowest. An orbit"
+                    + " is a film, FILE.gif, or a series of pictures, FILE with a number before its ending.",
             "",
             "Of a recording (*.scenario.jsonl, or a folder with the demo's to-module.bin and from-module.bin) it takes"
                     + " a picture of each step, FILE with a number before its ending, of which other programs make a"
@@ -50,6 +52,7 @@ import robosim.geometry.world.shared.AtomicFileWriter;
             "  robosim-geometry render worlds/rooms.xml --sensors -o rooms.svg",
             "  robosim-geometry render worlds/rooms.xml -o rooms.png",
             "  robosim-geometry render worlds/rooms.xml --camera orbit --frames 36 -o rooms.png",
+            "  robosim-geometry render worlds/warehouse.xml --orbit -o film.gif",
             "  robosim-geometry render worlds/meshes.xml --camera 4,2,11 --look-at 0,-1,0 -o meshes.png",
             "  robosim-geometry render worlds/courtyard.sdf --show depth --camera robot:courier -o depth.png",
             "  robosim-geometry render worlds/warehouse.xml --show points --lidar vlp16 -o cloud.png",
@@ -70,7 +73,7 @@ public final class RenderCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             paramLabel = "FILE",
             required = true,
-            description = "the picture to write: .svg or .png")
+            description = "the picture to write: .svg or .png; or .gif, a film of an orbit or a recording")
     private Path output = Path.of("world.svg");
 
     @Option(names = "--dark", description = "draw the plan on a dark background; an .svg follows its viewer's theme")
@@ -127,23 +130,30 @@ public final class RenderCommand implements Callable<Integer> {
             "--sky-rays",
             "--mirrors",
             "--frames",
+            "--orbit",
             "--no-floor",
             "--show",
             "--lidar",
             "--from");
+
+    private static final String FILM = ".gif";
+
+    /** For which each picture of a film is shown. */
+    private static final double SECONDS = 0.1;
 
     /** Of a height in a title. */
     private static final int DIGITS = 6;
 
     @Override
     public Integer call() throws Exception {
-        Arguments.output("FILE", output, ".svg", ".png");
+        Arguments.output("FILE", output, ".svg", ".png", FILM);
         boolean isPlan = plan
                 || dark
                 || slice != null
                 || output.toString().toLowerCase(Locale.ROOT).endsWith(".svg");
         if (isPlan) {
             refuseCamera();
+            Arguments.refuse(isFilm(), "FILE must end in .svg or .png for a plan", output);
         }
         if (hasSensors && (!isPlan || slice != null)) {
             throw new UsageException("--sensors is for a plan of the whole height; write an .svg or add --plan, without"
@@ -209,8 +219,19 @@ public final class RenderCommand implements Callable<Integer> {
             }
         }
         Camera camera = isPlan ? null : new Camera(moment(film, frames[0]));
-        double metres =
-                lender == null || lender.unit() == null ? 1 : lender.unit().metres();
+        if (camera != null && isFilm()) {
+            double metres = metres(lender);
+            try (Progress progress = Progress.of(spec.commandLine(), "rendering", frames.length)) {
+                writeFilm(frames.length, k -> {
+                    camera.look(moment(film, frames[k]));
+                    progress.at(k + 1L);
+                    return camera.take(k * camera.pictures.size() / frames.length, metres, percent -> {});
+                });
+            }
+            tell(output + recording.told(frames));
+            return;
+        }
+        double metres = metres(lender);
         String unit = lender == null ? "" : Pictures.unit(lender);
         try (Progress progress = Progress.of(spec.commandLine(), "rendering", frames.length)) {
             for (int k = 0; k < frames.length; k++) {
@@ -230,6 +251,31 @@ public final class RenderCommand implements Callable<Integer> {
         }
         String last = frames.length == 1 ? "" : " to " + numbered(frames.length - 1, frames.length);
         tell((frames.length == 1 ? output : numbered(0, frames.length)) + last + recording.told(frames));
+    }
+
+    private static double metres(@Nullable World lender) {
+        Unit unit = lender == null ? null : lender.unit();
+        return unit == null ? 1 : unit.metres();
+    }
+
+    private boolean isFilm() {
+        return output.toString().toLowerCase(Locale.ROOT).endsWith(FILM);
+    }
+
+    /** Takes a picture of a film. */
+    @FunctionalInterface
+    private interface Shooting {
+        int[] take(int k) throws IOException;
+    }
+
+    private void writeFilm(int count, Shooting shooting) throws IOException {
+        AtomicFileWriter.write(output, out -> {
+            GifWriter film = new GifWriter(out, cameras.width(), cameras.height(), SECONDS);
+            for (int k = 0; k < count; k++) {
+                film.add(shooting.take(k));
+            }
+            film.end();
+        });
     }
 
     private static World moment(StateHistory film, int frame) {
@@ -252,6 +298,13 @@ public final class RenderCommand implements Callable<Integer> {
         Camera camera = new Camera(read);
         double metres = read.unit() == null ? 1 : read.unit().metres();
         int count = camera.pictures.size();
+        if (isFilm()) {
+            try (Progress progress = Progress.of(spec.commandLine(), "rendering", 100L * count)) {
+                writeFilm(count, k -> camera.take(k, metres, percent -> progress.at(100L * k + percent)));
+            }
+            tell(output);
+            return;
+        }
         for (int k = 0; k < count; k++) {
             Path file = count == 1 ? output : numbered(k, count);
             long before = 100L * k;
@@ -271,7 +324,7 @@ public final class RenderCommand implements Callable<Integer> {
         private Snapshot snapshot;
 
         Camera(World world) throws WorldException {
-            studio = new CameraWorld(world, cameras.hasFloor());
+            studio = cameras.studio(world, show);
             cameras.find(RenderCommand.this.world);
             pictures = cameras.pictures(studio);
             snapshot = studio.snapshot();
@@ -279,11 +332,16 @@ public final class RenderCommand implements Callable<Integer> {
         }
 
         void look(World world) {
-            studio = new CameraWorld(world, cameras.hasFloor());
+            studio = cameras.studio(world, show);
             snapshot = studio.snapshot();
         }
 
         void write(int picture, double metres, Path file, IntConsumer percent) throws IOException {
+            int[] taken = take(picture, metres, percent);
+            AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), taken));
+        }
+
+        int[] take(int picture, double metres, IntConsumer percent) {
             List<CameraOptions.Shot> shots = pictures.get(picture);
             for (int k = 0; k < shots.size(); k++) {
                 CameraOptions.Shot shot = shots.get(k);
@@ -303,7 +361,7 @@ public final class RenderCommand implements Callable<Integer> {
                     System.arraycopy(seen, row * wide, pixels, to, wide);
                 }
             }
-            AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), pixels));
+            return pixels;
         }
     }
 

@@ -1,5 +1,6 @@
 package robosim.geometry.dynamics.spatial;
 
+import java.util.Arrays;
 import java.util.List;
 
 /** The energy of bodies in a slice, shared by those that touch each other; and which of them come to rest. */
@@ -41,10 +42,12 @@ final class EnergyBudget {
             body.group = b;
             body.isTouching = false;
             body.isHeld = false;
+            body.isAmongOthers = false;
             body.work = 0;
             body.lastWork = 0;
             body.lends = 0;
             body.mostLent = 0;
+            Arrays.fill(body.exchanged, 0);
             body.turnInertia();
             if (!body.isAsleep) {
                 body.limit(seconds);
@@ -83,26 +86,27 @@ final class EnergyBudget {
      * from the speed. Bodies that touch nothing but each other keep both momenta instead.
      */
     void finish(double seconds, FreeGroup free) {
+        double[] about = bodies.get(cluster.member[0]).start;
         for (int m = 0; m < cluster.count; m++) {
             RigidBody body = bodies.get(cluster.member[m]);
             if (!body.isAsleep) {
+                body.exchange(body.place, body.u, 1, about); // what came after it was carried
                 System.arraycopy(body.u, 0, body.v, 0, 6);
-            }
-        }
-        sum();
-        lend();
-        for (int m = 0; m < cluster.count; m++) {
-            RigidBody body = bodies.get(cluster.member[m]);
-            int group = body.group;
-            body.isPressed = isPressed[group];
-            if (isHeld[group] && moving[group] + risen[group] > before[group]) {
-                brake(body, group);
             }
         }
         free.list(cluster);
         for (int m = 0; m < cluster.count; m++) {
+            free.takeBack(cluster.member[m]);
+        }
+        sum();
+        lend();
+        for (int m = 0; m < cluster.count; m++) {
             int group = cluster.member[m];
-            if (!isHeld[group] && moving[group] > 0) {
+            double excess = moving[group] + risen[group] - before[group];
+            bodies.get(group).isPressed = isPressed[bodies.get(group).group];
+            if (isHeld[group] && excess > 0) {
+                free.brake(group, moving[group], excess);
+            } else if (!isHeld[group] && moving[group] > 0) {
                 free.keep(group, seconds, before[group]);
             }
         }
@@ -140,15 +144,6 @@ final class EnergyBudget {
                 before[group] += Math.max(0, by);
                 bodies.get(group).lent = lent[group] + by;
             }
-        }
-    }
-
-    /** Takes from a body what its group has too much. */
-    private void brake(RigidBody body, int group) {
-        double excess = moving[group] + risen[group] - before[group];
-        double share = Math.sqrt(Math.max(0, moving[group] - excess) / moving[group]);
-        for (int k = 0; k < 6; k++) {
-            body.v[k] *= share;
         }
     }
 

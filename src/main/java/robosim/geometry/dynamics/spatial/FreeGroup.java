@@ -7,8 +7,8 @@ import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Pose;
 
 /**
- * Bodies that touch nothing but each other: whatever they do to each other, their momentum stays, and their angular momentum
- * about their common centre of mass.
+ * Bodies that touch each other: whatever they do to each other, their momentum stays, and their angular momentum about their
+ * common centre of mass.
  *
  * <p>Of all motions with these two, the one as a single rigid body has the least energy, and what any other has above that is
  * the energy of the deviation from it. So energy is taken from the deviation, which changes neither momentum.
@@ -49,6 +49,8 @@ final class FreeGroup {
     private double mass;
     private int count;
     private boolean isDriven;
+    private boolean isAmongOthers;
+    private boolean isHeld;
 
     FreeGroup(List<RigidBody> bodies, double[] gravity, Placer placer, ContactDetection detection) {
         this.bodies = bodies;
@@ -57,7 +59,7 @@ final class FreeGroup {
         this.detection = detection;
     }
 
-    /** Lists the bodies of each group of a cluster, after the groups have changed. */
+    /** Lists the bodies of each group of a cluster that move, after the groups have changed. */
     void list(Clusters cluster) {
         if (first.length < bodies.size()) {
             first = new int[2 * bodies.size()];
@@ -68,9 +70,11 @@ final class FreeGroup {
         }
         for (int m = cluster.count - 1; m >= 0; m--) {
             int b = cluster.member[m];
-            int group = bodies.get(b).group;
-            next[b] = first[group];
-            first[group] = b;
+            if (!bodies.get(b).isAsleep) {
+                int group = bodies.get(b).group;
+                next[b] = first[group];
+                first[group] = b;
+            }
         }
     }
 
@@ -95,21 +99,84 @@ final class FreeGroup {
             System.arraycopy(before, 0, after, 0, 3);
         }
         divide(after, turn);
-        double rigid = 0;
         double moving = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            rigid += 0.5 * (mass * drift[axis] * drift[axis] + after[axis] * turn[axis]);
-        }
         for (int b = first[group]; b >= 0; b = next[b]) {
             moving += bodies.get(b).kinetic(bodies.get(b).v);
         }
-        double inner = moving - rigid;
+        double inner = moving - rigid();
         double excess = moving + risen(group) - allowed;
         if (count == 1) {
             turnBack(bodies.get(group));
             hold(bodies.get(group), allowed);
         } else if (excess > 0 && inner > 0) {
             scale(group, Math.sqrt(Math.max(0, inner - excess) / inner));
+        }
+    }
+
+    /**
+     * Turns a group back by the angular momentum that its bodies gave each other: impulses act where both were when they were
+     * worked out, and who is kept off another one does not go where its velocity has it.
+     */
+    void takeBack(int group) {
+        if (first[group] < 0 || next[first[group]] < 0) {
+            return;
+        }
+        sum(group);
+        if (!isAmongOthers && (isHeld || isDriven)) { // of all others, the momenta will be those that they had
+            Arrays.fill(spin, 0);
+            for (int b = first[group]; b >= 0; b = next[b]) {
+                for (int axis = 0; axis < 3; axis++) {
+                    spin[axis] -= bodies.get(b).exchanged[axis];
+                }
+            }
+            keepUpright();
+            divide(spin, turn);
+            for (int b = first[group]; b >= 0; b = next[b]) {
+                add(bodies.get(b), 1);
+            }
+        }
+    }
+
+    /** Leaves what is about the vertical: what holds a group gives it the rest. */
+    private void keepUpright() {
+        double pull = RigidBody.length(gravity, 0);
+        if (pull > 0) {
+            double about = (spin[0] * gravity[0] + spin[1] * gravity[1] + spin[2] * gravity[2]) / pull / pull;
+            for (int axis = 0; axis < 3; axis++) {
+                spin[axis] = about * gravity[axis];
+            }
+        }
+    }
+
+    /** Takes an energy from how the bodies of a group move otherwise than as a single one, and what that has not from all. */
+    void brake(int group, double moving, double excess) {
+        sum(group);
+        divide(after, turn);
+        double inner = count > 1 ? Math.max(0, moving - rigid()) : 0;
+        double taken = Math.min(inner, excess);
+        if (taken > 0) {
+            scale(group, Math.sqrt((inner - taken) / inner));
+        }
+        if (taken < excess) {
+            double share = Math.sqrt(Math.max(0, moving - excess) / (moving - taken));
+            for (int b = first[group]; b >= 0; b = next[b]) {
+                scale(bodies.get(b), share);
+            }
+        }
+    }
+
+    /** The energy of a single rigid body with the momenta of the group. */
+    private double rigid() {
+        double rigid = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            rigid += 0.5 * (mass * drift[axis] * drift[axis] + after[axis] * turn[axis]);
+        }
+        return rigid;
+    }
+
+    private static void scale(RigidBody body, double share) {
+        for (int k = 0; k < 6; k++) {
+            body.v[k] *= share;
         }
     }
 
@@ -175,10 +242,7 @@ final class FreeGroup {
         double moving = body.kinetic(body.v);
         double excess = moving + body.risen(gravity) - allowed;
         if (excess > MOST_EXCESS * moving) {
-            double share = Math.sqrt(Math.max(0, moving - excess) / moving);
-            for (int k = 0; k < 6; k++) {
-                body.v[k] *= share;
-            }
+            scale(body, Math.sqrt(Math.max(0, moving - excess) / moving));
         }
     }
 
@@ -250,6 +314,8 @@ final class FreeGroup {
         mass = 0;
         count = 0;
         isDriven = false;
+        isAmongOthers = false;
+        isHeld = false;
         Arrays.fill(centre, 0);
         Arrays.fill(drift, 0);
         Arrays.fill(from, 0);
@@ -259,6 +325,8 @@ final class FreeGroup {
             mass += body.mass;
             count++;
             isDriven |= body.isDriven || body.stop != null;
+            isAmongOthers |= body.isAmongOthers || body.stop != null;
+            isHeld |= body.isHeld;
             for (int axis = 0; axis < 3; axis++) {
                 centre[axis] += body.mass * body.place[axis];
                 drift[axis] += body.mass * body.v[axis];

@@ -176,22 +176,13 @@ final class Integrator {
             System.arraycopy(body.place, 0, middle, 0, body.place.length);
             double share = way.go(body, d, angle);
             detection.join(b, way.keptOff);
-            if (!body.isBall) {
-                body.keepMomentum(middle, body.u, body.place, spare, 3);
-                System.arraycopy(spare, 3, body.u, 3, 3);
-                body.turnInertia();
-            }
+            double time = share < 1 ? time(body, share, rest) : rest;
+            arrive(body, time / rest);
             if (share >= 1) {
-                System.arraycopy(body.u, 0, body.v, 0, 6);
                 body.waits = 0;
                 return;
             }
             idle = share > LITTLE ? 0 : idle + 1;
-            double time = time(body, share, rest);
-            for (int k = 0; k < 6; k++) {
-                body.v[k] += (body.u[k] - body.v[k]) * (time / rest);
-            }
-            body.keep(1 - time / rest);
             body.lastWork *= 1 - time / rest;
             rest -= time;
             if (!(rest > 0)) {
@@ -229,6 +220,28 @@ final class Integrator {
             body.v[k] = 0.5 * body.u[k];
             body.u[k] = body.v[k];
         }
+    }
+
+    /** Gives a body the velocity after a share of the time that was left to it, in which it has come to where it is. */
+    private void arrive(RigidBody body, double share) {
+        for (int k = 0; k < 6; k++) {
+            spare[k] = share < 1 ? body.v[k] + (body.u[k] - body.v[k]) * share : body.u[k];
+        }
+        body.exchange(middle, spare, share, about());
+        body.keep(1 - share);
+        if (body.isBall) {
+            System.arraycopy(spare, 0, body.v, 0, 6);
+            return;
+        }
+        System.arraycopy(spare, 0, body.v, 0, 3);
+        body.keepMomentum(middle, spare, body.place, body.v, 3);
+        body.keepMomentum(middle, body.u, body.place, spare, 3);
+        System.arraycopy(spare, 3, body.u, 3, 3);
+        body.turnInertia();
+    }
+
+    private double[] about() {
+        return bodies.get(cluster.member[0]).start;
     }
 
     /** Keeps why a body is stopped, and by what: of all that it touches, what is against its last displacement most. */
@@ -385,7 +398,8 @@ final class Integrator {
         detection.gather(b, true);
         for (int k = 0; k < contacts.count; k++) {
             remember(contacts.other[k]);
-            body.isHeld |= isElsewhere(contacts.other[k]); // its cluster has not all of the momentum
+            body.isAmongOthers |= isElsewhere(contacts.other[k]); // its cluster has not all of the momentum
+            body.isHeld |= body.isAmongOthers;
         }
         double gap = TurningSweep.GAP;
         if (doublings > 0 && !isBesideMoving()) {

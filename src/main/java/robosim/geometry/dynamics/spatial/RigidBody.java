@@ -67,6 +67,15 @@ final class RigidBody implements Cloneable {
 
     double[] reaction = new double[6];
 
+    /** What the body itself gets by these. */
+    double[] driven = new double[6];
+
+    /**
+     * The angular momentum about a point that it got in this part of a slice of impulses between moving bodies, and of being
+     * moved otherwise than by its velocity. Of a group it adds up to what bodies ought not to give each other.
+     */
+    double[] exchanged = new double[3];
+
     /** The inverse of the inertia about the world's axes. */
     double[] inverse = new double[9];
 
@@ -88,6 +97,9 @@ final class RigidBody implements Cloneable {
     /** Whether it touches what stands still in this slice. */
     boolean isHeld;
 
+    /** Whether it has met a moving body of another cluster in this slice, which has the opposite of what this one got. */
+    boolean isAmongOthers;
+
     boolean isCarried;
 
     /** In how many slices in a row it has waited for another body. */
@@ -104,6 +116,7 @@ final class RigidBody implements Cloneable {
     double slow;
 
     private double[] own = new double[3];
+    private double[] got = new double[6];
 
     RigidBody(int id, double mass, double[] moments, boolean isBall, double reach) {
         this.id = id;
@@ -122,12 +135,15 @@ final class RigidBody implements Cloneable {
             copy.u = u.clone();
             copy.given = given.clone();
             copy.reaction = reaction.clone();
+            copy.driven = driven.clone();
+            copy.exchanged = exchanged.clone();
             copy.inverse = inverse.clone();
             copy.start = start.clone();
             copy.began = began.clone();
             copy.spun = spun.clone();
             copy.known = known.clone();
             copy.own = own.clone();
+            copy.got = got.clone();
             return copy;
         } catch (CloneNotSupportedException e) {
             throw new IllegalStateException(e);
@@ -139,6 +155,7 @@ final class RigidBody implements Cloneable {
         carrier = null;
         Arrays.fill(given, 0);
         Arrays.fill(reaction, 0);
+        Arrays.fill(driven, 0);
     }
 
     /** Leaves a share of what is given in the rest of a time. */
@@ -146,6 +163,28 @@ final class RigidBody implements Cloneable {
         for (int k = 0; k < 6; k++) {
             given[k] *= share;
             reaction[k] *= share;
+            driven[k] *= share;
+        }
+    }
+
+    /**
+     * Adds to what is exchanged a share of what is given, on the way from a place to the present one.
+     *
+     * @param to    the velocity with which the way ends
+     * @param about what angular momenta are about
+     */
+    void exchange(double[] from, double[] to, double share, double[] about) {
+        for (int k = 0; k < 6; k++) {
+            got[k] = share * (given[k] + driven[k]);
+        }
+        spin(from, got, own);
+        for (int k = 0; k < 3; k++) {
+            int y = (k + 1) % 3;
+            int z = (k + 2) % 3;
+            double farY = 0.5 * (from[y] + place[y]) - about[y];
+            double farZ = 0.5 * (from[z] + place[z]) - about[z];
+            double aside = (place[y] - from[y]) * (v[z] + to[z]) - (place[z] - from[z]) * (v[y] + to[y]);
+            exchanged[k] += own[k] + mass * (farY * got[z] - farZ * got[y] + 0.5 * aside);
         }
     }
 
@@ -160,6 +199,7 @@ final class RigidBody implements Cloneable {
         }
         carrier = null;
         Arrays.fill(reaction, 0);
+        Arrays.fill(driven, 0);
     }
 
     /** Works out the inverse inertia at the present attitude. */

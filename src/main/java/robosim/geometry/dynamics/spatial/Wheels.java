@@ -233,8 +233,9 @@ final class Wheels {
         spin = t;
         give(forward, byForward);
         give(right, byRight);
-        twist(body, up, byTurn);
+        twist(body.inverse, up, byTurn, body.u);
         if (support != null) {
+            twist(body.inverse, up, byTurn, body.driven);
             twistBack(support, up, byTurn);
         }
         if (body.isBall) {
@@ -256,6 +257,7 @@ final class Wheels {
         RigidBody on = support;
         if (on != null) {
             for (int k = 0; k < 3; k++) {
+                body.driven[k] += impulse / body.mass * along[k];
                 react(on, k, -impulse / on.mass * along[k]);
             }
             arm(on, along);
@@ -277,10 +279,9 @@ final class Wheels {
         body.reaction[k] += by;
     }
 
-    private static void twist(RigidBody of, double[] n, double impulse) {
-        double[] i = of.inverse;
+    private static void twist(double[] i, double[] n, double impulse, double[] v) {
         for (int k = 0; k < 3; k++) {
-            of.u[3 + k] += impulse * (i[3 * k] * n[0] + i[3 * k + 1] * n[1] + i[3 * k + 2] * n[2]);
+            v[3 + k] += impulse * (i[3 * k] * n[0] + i[3 * k + 1] * n[1] + i[3 * k + 2] * n[2]);
         }
     }
 

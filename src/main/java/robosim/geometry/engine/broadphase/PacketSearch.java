@@ -30,12 +30,10 @@ public final class PacketSearch {
     private static final int FEW = 2;
 
     /**
-     * Where a search looks at more objects for each ray, in a crowd where each ray soon meets one of its own, rays are faster
-     * one by one: an object is found later than along a line, and in space a sieve takes longer than a kernel.
+     * Where a search in a plane looks at more objects for each ray, in a crowd where each ray soon meets one of its own, rays
+     * are faster one by one: along a line an object is found sooner than in a sector.
      */
-    private static final double CROWD_IN_PLANE = 0.4;
-
-    private static final double CROWD = 0.8;
+    private static final double CROWD = 0.4;
 
     /** How many searches are left out then. */
     private static final int REST = 63;
@@ -124,9 +122,9 @@ public final class PacketSearch {
         return true;
     }
 
-    /** Whether rays are likely to share enough, as the last ones did; to be asked once for each search. */
-    public boolean isWorthwhile() {
-        if (rest > 0) {
+    /** Whether rays are likely to share enough, as the last ones did; in space always. To be asked once for each search. */
+    public boolean isWorthwhile(Dimension in) {
+        if (in == Dimension.PLANAR && rest > 0) {
             rest--;
             return false;
         }
@@ -167,7 +165,9 @@ public final class PacketSearch {
                 hit[ray] = -1;
             }
         }
-        rest = visited > (dimension == Dimension.PLANAR ? CROWD_IN_PLANE : CROWD) * number ? REST : 0;
+        if (dimension == Dimension.PLANAR && visited > CROWD * number) {
+            rest = REST;
+        }
     }
 
     private void searchTrees(AccuracyView view, LeafTable table, int ignored) {

@@ -235,7 +235,7 @@ public final class PatternSensor {
             search = new PacketSearch(objects, scratch);
             packets = search;
         }
-        if (!search.isWorthwhile()) {
+        if (!search.isWorthwhile(view.dimension)) {
             answerOneByOne(view, from, to, null);
             return;
         }

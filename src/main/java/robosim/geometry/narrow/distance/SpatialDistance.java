@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.distance;
 
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -41,7 +42,7 @@ public final class SpatialDistance {
     private static double bracketed(Leaf a, Leaf b, DistanceScratch s) {
         Gjk gjk = s.gjk.pair;
         double lower = gjk.spatial(a, b);
-        if (lower == 0 && SpatialOverlap.test(a, b, s.overlap)) {
+        if (lower == 0 && ((gjk.isDeep() && !FilterBound.isDoubting()) || SpatialOverlap.test(a, b, s.overlap))) {
             return 0;
         }
         if (lower == 0) {

@@ -18,7 +18,7 @@ import robosim.geometry.narrow.leaf.PairOrder;
  * <p>(a, b) and (b, a) give the same bits. A query allocates nothing.
  */
 public final class Gjk {
-    /** Maximum number of steps of a query. Polytopes take less than 20, rims in unfavourable positions some 60. */
+    /** Maximum number of steps of a query. Random pairs take at most 16; rims would take some 60 without {@link RimStep}. */
     private static final int MOST_STEPS = 160;
 
     /**
@@ -26,6 +26,9 @@ public final class Gjk {
      * cap does not change a distance, but does change the slab.
      */
     private static final int MOST_STALLS = 6;
+
+    /** Maximum number of directions that are tried in a row along rims. */
+    private static final int MOST_TURNS = 10;
 
     /** The bracket is narrow enough at this fraction of the distance. */
     private static final double NARROW = 0x1p-44;
@@ -63,6 +66,7 @@ public final class Gjk {
     final Support first = new Support();
     final Support second = new Support();
     private final Simplex simplex = new Simplex();
+    private final RimStep rims = new RimStep(first, second);
     private final DoubleDoubleSimplex fine = new DoubleDoubleSimplex();
 
     private double lower;
@@ -90,6 +94,19 @@ public final class Gjk {
     private double oz;
     private double unscale;
     private boolean reversed;
+    private boolean decides;
+    private boolean turned;
+
+    /**
+     * Runs a query in space only until it is known whether the two touch: 1 if they certainly do, -1 if they certainly do not,
+     * 0 if neither is certain; then it has run to its end, as that of {@link #spatial}.
+     */
+    public int decide(Leaf a, Leaf b) {
+        decides = true;
+        query(a, b, false);
+        decides = false;
+        return lower > 0 ? -1 : deep ? 1 : 0;
+    }
 
     /** Runs a query in space; returns the lower end of the bracket, at least 0. */
     public double spatial(Leaf a, Leaf b) {
@@ -236,8 +253,9 @@ public final class Gjk {
         }
         error = ROUNDOFF * (first.extent + second.extent);
         unscale = 1 / scale;
+        deep = false;
         approach();
-        deep = simplex.depth() > DEEP * cube(first.extent + second.extent);
+        deep |= simplex.depth() > DEEP * cube(first.extent + second.extent);
         finish();
     }
 
@@ -267,26 +285,45 @@ public final class Gjk {
             vy = 0;
             vz = 0;
         }
+        boolean isRound = !first.isPolytope() || !second.isPolytope();
+        double nearest = Double.POSITIVE_INFINITY;
         int stalls = 0;
         for (steps = 1; steps <= MOST_STEPS; steps++) {
             double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
             double reach = probe(vx / length, vy / length, vz / length);
-            boolean narrow = steps > 1 && upper - reach <= Math.max(NARROW * upper, error);
-            if (narrow || !simplex.add(first, second)) {
+            if (isEnough() || (steps > 1 && upper - reach <= Math.max(NARROW * upper, error))) {
                 return;
             }
-            if (!simplex.reduce()) {
+            turned = false;
+            // Later every other step only, so that no bad proposals in a row keep the query from its end.
+            if (isRound
+                    && steps > 1
+                    && (steps < MOST_TURNS || (steps & 1) == 0)
+                    && followsRims(vx / length, vy / length, vz / length, reach)) {
+                return;
+            }
+            double before = simplex.norm();
+            boolean isNearer = simplex.advance(first, second);
+            if (turned && !(isNearer && simplex.norm() < before)) {
+                first.find(-vx / length, -vy / length, -vz / length);
+                second.find(vx / length, vy / length, vz / length);
+                isNearer |= simplex.advance(first, second);
+            }
+            if (!isNearer) {
                 return;
             }
             double near = Math.sqrt(simplex.norm());
             // A tetrahedron that seems to contain the origin may be too thin to be sure; the point given by its weights
             // belongs to the set in any case.
             attained = Math.min(attained, simplex.depth() > 0 ? simplex.residual() : near);
+            if (near < nearest) {
+                nearest = near;
+            } else if (++stalls > MOST_STALLS) {
+                return; // no further progress beyond rounding
+            }
             if (near < upper) {
                 upper = near;
                 witness();
-            } else if (++stalls > MOST_STALLS) {
-                return; // no further progress beyond rounding
             }
             if (upper <= error) {
                 overlapping = true; // no slab could prove otherwise
@@ -296,6 +333,94 @@ public final class Gjk {
             vy = simplex.vy;
             vz = simplex.vz;
         }
+    }
+
+    /** Whether the bracket decides whether the two touch, and that is all that is asked. */
+    private boolean isEnough() {
+        double margins = first.margin + second.margin;
+        return decides && (lower - margins - error > 0 || attained + error < margins);
+    }
+
+    /**
+     * Follows the directions in which the features of the simplex are nearest, from a unit direction with its reach, for as
+     * long as the slab widens; leaves the points found in the last of these. Returns whether the query is at its end.
+     */
+    private boolean followsRims(double fromX, double fromY, double fromZ, double before) {
+        double dx = fromX;
+        double dy = fromY;
+        double dz = fromZ;
+        double widest = before;
+        for (int n = 0; n < 2; n++) {
+            if (!rims.proposeCap(n == 0, dx, dy, dz)) {
+                continue;
+            }
+            double reach = probe(rims.dx, rims.dy, rims.dz);
+            takeRims(rims.meetCap(n == 0));
+            if (isEnough() || upper - reach <= Math.max(NARROW * upper, error)) {
+                return true;
+            }
+            if (reach > widest) {
+                dx = rims.dx;
+                dy = rims.dy;
+                dz = rims.dz;
+                widest = reach;
+            } else {
+                first.find(-dx, -dy, -dz);
+                second.find(dx, dy, dz);
+            }
+        }
+        for (int n = 0; n < MOST_TURNS && rims.propose(simplex, dx, dy, dz); n++) {
+            double reach = probe(rims.dx, rims.dy, rims.dz);
+            takeRims(rims.meet());
+            if (isEnough() || upper - reach <= Math.max(NARROW * upper, error) || (reach < 0 && isCommon())) {
+                return true;
+            }
+            if (!(reach > widest)) {
+                first.find(-dx, -dy, -dz);
+                second.find(dx, dy, dz);
+                break;
+            }
+            dx = rims.dx;
+            dy = rims.dy;
+            dz = rims.dz;
+            widest = reach;
+        }
+        turned = widest > before;
+        return false;
+    }
+
+    private void takeRims(double near) {
+        if (near < upper) {
+            upper = near;
+            attained = Math.min(attained, near);
+            ax = rims.onA[0];
+            ay = rims.onA[1];
+            az = rims.onA[2];
+            bx = rims.onB[0];
+            by = rims.onB[1];
+            bz = rims.onB[2];
+        }
+    }
+
+    /** Whether the middle of the features' nearest points is inside both leaves by more than rounding; takes it if so. */
+    private boolean isCommon() {
+        double x = 0.5 * rims.onA[0] + 0.5 * rims.onB[0];
+        double y = 0.5 * rims.onA[1] + 0.5 * rims.onB[1];
+        double z = 0.5 * rims.onA[2] + 0.5 * rims.onB[2];
+        if (!first.holds(x, y, z, error) || !second.holds(x, y, z, error)) {
+            return false;
+        }
+        deep = true;
+        overlapping = true;
+        upper = 0;
+        attained = 0;
+        ax = x;
+        ay = y;
+        az = z;
+        bx = x;
+        by = y;
+        bz = z;
+        return true;
     }
 
     /**

@@ -30,6 +30,7 @@ final class Simplex {
     private final double[] weight = new double[4];
     private final double[] pointsA = new double[12];
     private final double[] pointsB = new double[12];
+    private final int[] corners = new int[4];
 
     private double norm;
     private double depth;
@@ -66,8 +67,35 @@ final class Simplex {
         pointsB[3 * count] = b.x;
         pointsB[3 * count + 1] = b.y;
         pointsB[3 * count + 2] = b.z;
+        corners[count] = corners(a, b);
         count++;
         return true;
+    }
+
+    /** Which corners two points found belong to, as one number. */
+    static int corners(Support a, Support b) {
+        return a.corner << 4 | b.corner;
+    }
+
+    int count() {
+        return count;
+    }
+
+    /** Which corners a point's two belong to. */
+    int corners(int k) {
+        return corners[k];
+    }
+
+    /** Adds the difference of two points found and keeps the nearest part; returns false, unchanged, if that is no nearer. */
+    boolean advance(Support a, Support b) {
+        if (!add(a, b)) {
+            return false;
+        }
+        if (reduce()) {
+            return true;
+        }
+        count--;
+        return false;
     }
 
     /** Keeps the part of the simplex that is nearest to the origin; returns false if that is further than before. */
@@ -293,6 +321,7 @@ final class Simplex {
                 y[kept] = y[k];
                 z[kept] = z[k];
                 weight[kept] = found[k];
+                corners[kept] = corners[k];
                 for (int axis = 0; axis < 3; axis++) {
                     pointsA[3 * kept + axis] = pointsA[3 * k + axis];
                     pointsB[3 * kept + axis] = pointsB[3 * k + axis];

@@ -27,11 +27,32 @@ public final class Support {
      */
     private static final double STRAIGHT = 0x1p-500;
 
+    /** The sine below which a direction may lead to a cap. */
+    private static final double NEARLY_STRAIGHT = 0.3;
+
     /** The point found by {@link #find}. */
     public double x;
 
     public double y;
     public double z;
+
+    /** Which of the leaf's corners the point found belongs to; of a cylinder, which cap. */
+    int corner;
+
+    /** From there to the point found on a cylinder's rim, else 0. */
+    double rimX;
+
+    double rimY;
+    double rimZ;
+
+    /** Along the rim where the point found is; 0 for what has none. */
+    double tangentX;
+
+    double tangentY;
+    double tangentZ;
+
+    private double across;
+    private double outward;
 
     /** A point of the leaf: its centre if it has one. */
     double centreX;
@@ -63,9 +84,9 @@ public final class Support {
     private double wz;
 
     // A cylinder's unit axis, its radius, and 0 if heights are ignored, else 1.
-    private double axisX;
-    private double axisY;
-    private double axisZ;
+    double axisX;
+    double axisY;
+    double axisZ;
     private double radius;
     private double heights;
 
@@ -108,6 +129,14 @@ public final class Support {
         heights = heightsCounted;
         margin = 0;
         count = 0;
+        rimX = 0;
+        rimY = 0;
+        rimZ = 0;
+        tangentX = 0;
+        tangentY = 0;
+        tangentZ = 0;
+        across = 1;
+        outward = 0;
         switch (kind) {
             case UPRIGHT_BOX, BOX -> {
                 centre(row, at, ox, oy, oz, scale);
@@ -163,6 +192,7 @@ public final class Support {
                 double s = dx * ux + dy * uy + dz * uz < 0 ? -1 : 1;
                 double t = dx * vx + dy * vy + dz * vz < 0 ? -1 : 1;
                 double q = dx * wx + dy * wy + dz * wz < 0 ? -1 : 1;
+                corner = (s < 0 ? 1 : 0) | (t < 0 ? 2 : 0) | (q < 0 ? 4 : 0);
                 x = centreX + (s * ux + t * vx + q * wx);
                 y = centreY + (s * uy + t * vy + q * wy);
                 z = centreZ + (s * uz + t * vz + q * wz);
@@ -178,6 +208,7 @@ public final class Support {
                         best = k;
                     }
                 }
+                corner = best;
                 x = px[best];
                 y = py[best];
                 z = pz[best];
@@ -197,9 +228,94 @@ public final class Support {
         double rz = axisX * qy - axisY * qx;
         double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
         double reach = length > STRAIGHT ? radius / length : 0;
+        corner = along < 0 ? 1 : 0;
+        rimX = reach * rx;
+        rimY = heights * reach * ry;
+        rimZ = reach * rz;
+        tangentX = qx;
+        tangentY = heights * qy;
+        tangentZ = qz;
+        across = length;
+        outward = reach;
         x = centreX + (s * ux + reach * rx);
         y = centreY + heights * (s * uy + reach * ry);
         z = centreZ + (s * uz + reach * rz);
+    }
+
+    /** A coordinate of a corner, without the rim about it. */
+    double corner(int k, int axis) {
+        double s = (k & 1) == 0 ? 1 : -1;
+        if (form == POINTS) {
+            return axis == 0 ? px[k] : axis == 1 ? py[k] : pz[k];
+        }
+        double t = form == ROUND ? 0 : (k & 2) == 0 ? 1 : -1;
+        double q = form == ROUND ? 0 : (k & 4) == 0 ? 1 : -1;
+        return switch (axis) {
+            case 0 -> centreX + (s * ux + t * vx + q * wx);
+            case 1 -> centreY + heights * (s * uy + t * vy + q * wy);
+            default -> centreZ + (s * uz + t * vz + q * wz);
+        };
+    }
+
+    /**
+     * Whether a point is inside a box or a cylinder by more than a distance, which is to cover the rounding of half vectors, of
+     * normals and of products with them, 16u of {@link #extent}.
+     */
+    boolean holds(double qx, double qy, double qz, double by) {
+        double ox = qx - centreX;
+        double oy = qy - centreY;
+        double oz = qz - centreZ;
+        if (form == ROUND) {
+            double along = ox * axisX + oy * axisY + oz * axisZ;
+            double cx = oy * axisZ - oz * axisY;
+            double cy = oz * axisX - ox * axisZ;
+            double cz = ox * axisY - oy * axisX;
+            return Math.abs(along) + by < ux * axisX + uy * axisY + uz * axisZ
+                    && Math.sqrt(cx * cx + cy * cy + cz * cz) + by < radius;
+        }
+        return form == PARALLELEPIPED
+                && inward(0, ox, oy, oz) > by
+                && inward(1, ox, oy, oz) > by
+                && inward(2, ox, oy, oz) > by;
+    }
+
+    /** How far a vector from the centre ends inside the two sides of a parallelepiped across a half vector. */
+    private double inward(int k, double ox, double oy, double oz) {
+        double px = k == 0 ? vx : k == 1 ? wx : ux;
+        double py = k == 0 ? vy : k == 1 ? wy : uy;
+        double pz = k == 0 ? vz : k == 1 ? wz : uz;
+        double qx = k == 0 ? wx : k == 1 ? ux : vx;
+        double qy = k == 0 ? wy : k == 1 ? uy : vy;
+        double qz = k == 0 ? wz : k == 1 ? uz : vz;
+        double nx = py * qz - pz * qy;
+        double ny = pz * qx - px * qz;
+        double nz = px * qy - py * qx;
+        double half = k == 0
+                ? nx * ux + ny * uy + nz * uz
+                : k == 1 ? nx * vx + ny * vy + nz * vz : nx * wx + ny * wy + nz * wz;
+        double reach = Math.abs(half) - Math.abs(nx * ox + ny * oy + nz * oz);
+        return reach / Math.sqrt(nx * nx + ny * ny + nz * nz);
+    }
+
+    /** Whether the direction in which the point was found is nearly along the axis of a cylinder in space, but not quite. */
+    boolean isNearCap() {
+        return form == ROUND && heights > 0 && across < NEARLY_STRAIGHT && across > 0;
+    }
+
+    /** Whether a vector from a cap's centre ends above the cap. */
+    boolean isOnCap(double ox, double oy, double oz) {
+        double cx = oy * axisZ - oz * axisY;
+        double cy = oz * axisX - ox * axisZ;
+        double cz = ox * axisY - oy * axisX;
+        return cx * cx + cy * cy + cz * cz <= radius * radius;
+    }
+
+    /**
+     * How fast the point found moves along the rim as a unit direction turns: by so much times the tangent times its product
+     * with the turn.
+     */
+    double bend() {
+        return outward / (across * across);
     }
 
     /** Whether the leaf has no curved part other than its margin, so that few points can be found. */

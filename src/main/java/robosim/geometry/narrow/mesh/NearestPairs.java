@@ -150,7 +150,9 @@ public final class NearestPairs {
             lower = gjk.close();
         }
         high = Math.min(high, BoxGap.up(gjk.upper() + gjk.error()));
-        if (lower == 0 || FilterBound.isDoubting()) {
+        if (gjk.isDeep() && !FilterBound.isDoubting()) {
+            certain = true;
+        } else if (lower == 0 || FilterBound.isDoubting()) {
             s.uncertain = false;
             if (ConvexOverlap.test(dimension, leafA, leafB, s)) {
                 certain |= !s.uncertain;

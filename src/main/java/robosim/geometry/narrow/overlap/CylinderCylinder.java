@@ -59,12 +59,9 @@ public final class CylinderCylinder {
             return new ExactCylinders(a, b).parallelTouch();
         }
         Gjk gjk = s.gjk.pair;
-        gjk.spatial(a, b);
-        if (gjk.lower() > 0) {
-            return false;
-        }
-        if (gjk.isDeep()) {
-            return true;
+        int decided = gjk.decide(a, b);
+        if (decided != 0) {
+            return decided > 0;
         }
         s.gjk.hull.grow(Double.MIN_VALUE);
         if (s.gjk.hull.lower() > 0) {

@@ -2,7 +2,6 @@ package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.exact.FilterBound;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
@@ -54,12 +53,8 @@ public final class SpatialOverlap {
         if (FilterBound.isDoubting() && !a.kind.isEnclosure() && !b.kind.isEnclosure()) {
             return exactly(a, b, s);
         }
-        Gjk gjk = s.gjk.pair;
-        gjk.spatial(a, b);
-        if (gjk.lower() > 0) {
-            return false;
-        }
-        return gjk.isDeep() || exactly(a, b, s);
+        int decided = s.gjk.pair.decide(a, b);
+        return decided > 0 || (decided == 0 && exactly(a, b, s));
     }
 
     /** What neither a slab nor a common point could decide; certain but for a prism and something else. */

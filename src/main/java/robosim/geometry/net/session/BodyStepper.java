@@ -3,6 +3,7 @@ package robosim.geometry.net.session;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -57,6 +58,11 @@ public final class BodyStepper {
     private final Set<String> bodies = new LinkedHashSet<>();
 
     private final Map<String, DriveSettings> drives = new HashMap<>();
+
+    /** What was given last, of static objects too. */
+    private final Map<String, BodyRequest> requests = new LinkedHashMap<>();
+
+    private @Nullable SurfaceMixing mixing;
     private final Runnable breath;
 
     /** Null where nothing falls. */
@@ -97,10 +103,12 @@ public final class BodyStepper {
         boolean isChange = step.size() > 0;
         List<String> bodiesBefore = isChange ? List.copyOf(bodies) : List.of();
         Map<String, DriveSettings> drivesBefore = isChange ? Map.copyOf(drives) : Map.of();
+        Map<String, BodyRequest> givenBefore = isChange ? new LinkedHashMap<>(requests) : Map.of();
         boolean isMade = false;
         try {
             StepBundle.Answer answer = dynamics.together(() -> carryOut(step, refused));
             isMade = true;
+            mixing = step.mixing() == null ? mixing : step.mixing();
             return answer;
         } finally {
             if (isChange && !isMade) {
@@ -108,6 +116,8 @@ public final class BodyStepper {
                 bodies.addAll(bodiesBefore);
                 drives.clear();
                 drives.putAll(drivesBefore);
+                requests.clear();
+                requests.putAll(givenBefore);
             }
         }
     }
@@ -118,9 +128,9 @@ public final class BodyStepper {
         if (falls != null) {
             falls.begin();
         }
-        SurfaceMixing mixing = step.mixing();
-        if (mixing != null) {
-            dynamics.mix(rule(mixing.restitution()), rule(mixing.friction()));
+        SurfaceMixing rules = step.mixing();
+        if (rules != null) {
+            dynamics.mix(rule(rules.restitution()), rule(rules.friction()));
         }
         int index = 0;
         for (BodyRequest body : step.bodies()) {
@@ -200,6 +210,7 @@ public final class BodyStepper {
         if (!object.isMoveable()
                 && asked.equals(BodyRequest.of(asked.objectName()).withSurface(given))) {
             dynamics.surface(asked.objectName(), surface);
+            requests.put(asked.objectName(), asked);
             return;
         }
         if (!object.isMoveable()) {
@@ -225,6 +236,7 @@ public final class BodyStepper {
                 : new Twist(velocity.x(), velocity.y(), velocity.z(), Degrees.toDegrees(velocity.ry()));
         dynamics.add(name, body);
         bodies.add(name);
+        requests.put(name, asked);
         if (falls != null) {
             falls.watch(name);
         }
@@ -303,6 +315,14 @@ public final class BodyStepper {
     /** What kind of drive an object has or, without a body, would get. */
     DriveSettings.Kind kind(String name) {
         return drives.getOrDefault(name, DriveSettings.DEFAULT).kind();
+    }
+
+    /** A step of no time that gives the same bodies and surfaces to another world. */
+    StepBundle given() {
+        List<BodyRequest> present = requests.values().stream()
+                .filter(each -> world.hasObject(each.objectName()))
+                .toList();
+        return new StepBundle(0, present, List.of(), mixing);
     }
 
     /** Whether an object has a body. */

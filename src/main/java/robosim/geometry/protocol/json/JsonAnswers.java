@@ -10,6 +10,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
@@ -17,6 +18,7 @@ import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
+import robosim.geometry.protocol.batch.TickAnswer;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
 
@@ -112,6 +114,14 @@ final class JsonAnswers {
                                             JsonObject.of(ListedObject.class).omitting("", "name"),
                                             WorldRequest.ListObjects.MOST_LISTED))
                             .omitting(-1L, "next")),
+            JsonKinds.kind(
+                    "",
+                    JsonObject.of(TickAnswer.class)
+                            .form("states", JsonForm.packed(TickAnswer.STRIDE, MessageLimits.MAX_BEAMS))
+                            .form("touches singles", JsonForm.packedIntegers(MessageLimits.MAX_BEAMS))
+                            .form("distances", JsonForm.packed(1, MessageLimits.MAX_BEAMS))
+                            .omitting(Numbers.NONE, "distances")
+                            .omitting(Integers.NONE, "singles")),
             JsonKinds.kind("", JsonObject.of(Failed.class)));
 
     static final JsonForm<List<Problem>> REFUSED = JsonForm.list(JsonObject.of(Refused.class)

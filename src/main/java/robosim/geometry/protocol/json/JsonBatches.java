@@ -12,6 +12,7 @@ import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.BeamPattern;
+import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.MeasureRequest;
@@ -64,6 +65,8 @@ final class JsonBatches {
             .form("motion", JsonObject.of(ScanMotion.class).optional(0.0, "x y z ry~"))
             .omitting(ScanMotion.NONE, "motion")
             .last("motion");
+
+    private static final JsonKinds<SenseRequest> SENSOR = JsonKinds.tagged("", JsonKinds.kind("sense", SENSE));
 
     private static final JsonKinds<SceneLight.Source> SOURCE = JsonKinds.tagged(
             "",
@@ -142,7 +145,18 @@ final class JsonBatches {
                             .optional(0L, "first")
                             .form("count", JsonForm.whole(1, WorldRequest.ListObjects.MOST_LISTED))
                             .optional(WorldRequest.ListObjects.USUAL_LISTED, "count")),
-            JsonKinds.kind("separate", JsonObject.of(WorldRequest.Separate.class)));
+            JsonKinds.kind("separate", JsonObject.of(WorldRequest.Separate.class)),
+            JsonKinds.kind(
+                    "copy",
+                    JsonObject.of(CopyRequest.Make.class).form("index", JsonForm.whole(0, CopyRequest.MOST - 1))),
+            JsonKinds.kind(
+                    "tick",
+                    JsonObject.of(CopyRequest.Tick.class)
+                            .form("commands", JsonForm.packed(CopyRequest.Tick.STRIDE, CopyRequest.MOST))
+                            .form("bodies", JsonForm.list(JsonForm.TEXT, CopyRequest.Tick.MOST_NAMED))
+                            .form("senses", JsonForm.list(SENSOR, CopyRequest.Tick.MOST_NAMED))
+                            .omitting(List.of(), "bodies senses")
+                            .omitting(false, "single")));
 
     static final JsonObject<BatchRequestBundle> BATCH =
             JsonObject.of(BatchRequestBundle.class).form("requests", JsonForm.list(REQUEST));

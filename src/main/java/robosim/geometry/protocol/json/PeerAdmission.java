@@ -1,6 +1,7 @@
 package robosim.geometry.protocol.json;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.ProtocolException;
 
 /** Decides which peers are admitted. From a peer that is not, only the hello is read. */
@@ -40,6 +41,11 @@ public interface PeerAdmission {
      * @param lastId the id of the last request that was carried out; null for a new session, or if the request had none
      */
     record Resumption(String token, @Nullable Object lastId) {
+        /** Refuses a token that is null. */
+        public Resumption {
+            Checks.present("token", token);
+        }
+
         @Override
         public String toString() {
             return "resumption"; // the token appears nowhere

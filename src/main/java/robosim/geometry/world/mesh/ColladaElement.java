@@ -16,6 +16,7 @@ final class ColladaElement {
     final int line;
     final Map<String, String> attributes;
     final List<ColladaElement> children = new ArrayList<>(2);
+    final StringBuilder text = new StringBuilder(0);
     private final String source;
     private final StringBuilder word = new StringBuilder(0);
     private double[] numbers = {};

@@ -21,6 +21,25 @@ final class ColladaParser extends XmlHandler {
     /** By element, the children that are read. */
     private static final ChildNames READ = new ChildNames("""
             COLLADA: asset library_geometries library_controllers library_nodes library_visual_scenes scene
+            COLLADA: library_materials library_effects library_images
+            library_materials: material
+            material: instance_effect
+            library_effects: effect
+            effect: profile_COMMON newparam
+            profile_COMMON: newparam technique
+            newparam: surface sampler2D
+            surface: init_from
+            sampler2D: source
+            technique: phong lambert blinn constant
+            phong lambert blinn constant: emission diffuse specular shininess
+            emission diffuse specular: color texture
+            shininess: float
+            library_images: image
+            image: init_from
+            init_from: ref
+            instance_geometry instance_controller: bind_material
+            bind_material: technique_common
+            technique_common: instance_material
             asset: unit up_axis
             library_geometries: geometry
             geometry: mesh
@@ -38,8 +57,11 @@ final class ColladaParser extends XmlHandler {
             triangles polylist polygons tristrips trifans: input p ph vcount
             """);
 
-    private static final Set<String> NUMBERS =
-            ChildNames.words("float_array p vcount matrix translate rotate scale bind_shape_matrix lookat skew");
+    private static final Set<String> NUMBERS = ChildNames.words(
+            "float_array p vcount matrix translate rotate scale bind_shape_matrix lookat skew color float");
+
+    /** The elements whose text is kept. */
+    private static final Set<String> TEXTS = ChildNames.words("init_from source ref");
 
     private final String source;
     private final Deque<ColladaElement> open = new ArrayDeque<>();
@@ -74,6 +96,12 @@ final class ColladaParser extends XmlHandler {
     /** The axis that points up, as the file names it; empty if it names none. */
     String upAxis() {
         return upAxis.toString().strip();
+    }
+
+    /** The element of an id; null if there is none. */
+    @Nullable
+    ColladaElement found(String id) {
+        return byId.get(id);
     }
 
     /** The element that a reference names; only those within the file are followed. */
@@ -132,6 +160,8 @@ final class ColladaParser extends XmlHandler {
                 throw refusal("a file must have at most " + Limits.MAX_NUMBERS
                         + " numbers; simplify or split the mesh (got: more)");
             }
+        } else if (TEXTS.contains(element.name) && element.text.length() + length <= Limits.MAX_ATTRIBUTE) {
+            element.text.append(text, start, length);
         } else if (element.name.equals("up_axis") && upAxis.length() + length <= Limits.MAX_ATTRIBUTE) {
             upAxis.append(text, start, length);
         }

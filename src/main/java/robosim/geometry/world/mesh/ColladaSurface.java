@@ -1,6 +1,7 @@
 package robosim.geometry.world.mesh;
 
 import java.io.InputStream;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -11,10 +12,11 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.shared.TextureFiles;
 
 /**
  * The surface of a COLLADA file: the meshes that its visual scene shows, each where its nodes put it, in metres. Equal
- * vertices are joined. Cameras, lights, materials, animations and physics are ignored, and skins are in their bind shape.
+ * vertices are joined. Cameras, lights, animations and physics are ignored, and skins are in their bind shape.
  */
 public final class ColladaSurface {
     private final ColladaParser file;
@@ -22,35 +24,48 @@ public final class ColladaSurface {
     /** The name of the node or geometry that is wanted; null for all. */
     private final @Nullable String part;
 
-    private final Map<ColladaElement, ColladaFaces> meshes = new HashMap<>();
+    private final ColladaMaterials materials;
+    private final Map<ColladaElement, JoinedFaces.Part> meshes = new HashMap<>();
     private final Map<ColladaElement, Boolean> shown = new HashMap<>();
     private final JoinedFaces joined = new JoinedFaces();
     private int visits;
 
-    private ColladaSurface(ColladaParser file, @Nullable String part) {
+    private ColladaSurface(ColladaParser file, @Nullable String part, @Nullable Pictures pictures) {
         this.file = file;
         this.part = part;
+        materials = new ColladaMaterials(file, pictures);
     }
 
     /**
      * Reads a mesh with Y up from a stream, which is left open.
      *
-     * @param scale world units for each metre
+     * @param scale    world units for each metre
+     * @param pictures where its pictures are; null to read none
      */
-    public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
+    public static MeshObject read(InputStream in, String source, double scale, @Nullable Pictures pictures)
+            throws FileProblem {
         ColladaParser file = ColladaParser.read(in, source);
-        return new ColladaSurface(file, null).read(source, file.upAxis(), scale);
+        return new ColladaSurface(file, null, pictures).read(source, file.upAxis(), scale);
     }
 
     /**
      * Reads a mesh in metres and along the axes of its coordinates, whichever of them the file says is up: simulators
      * ignore that, and models are made for them.
      *
-     * @param part the name or id of the nodes or geometries to read; null for all
+     * @param part     the name or id of the nodes or geometries to read; null for all
+     * @param pictures where its pictures are; null to read none
      */
-    public static MeshObject readInItsAxes(InputStream in, String source, @Nullable String part) throws FileProblem {
-        return new ColladaSurface(ColladaParser.read(in, source), part).read(source, "", 1);
+    public static MeshObject readInItsAxes(
+            InputStream in, String source, @Nullable String part, @Nullable Pictures pictures) throws FileProblem {
+        return new ColladaSurface(ColladaParser.read(in, source), part, pictures).read(source, "", 1);
     }
+
+    /**
+     * Where the pictures of a file are.
+     *
+     * @param folder that of the file
+     */
+    public record Pictures(Path folder, TextureFiles files) {}
 
     private MeshObject read(String source, String upAxis, double scale) throws FileProblem {
         ColladaElement root = file.root();
@@ -63,7 +78,7 @@ public final class ColladaSurface {
                                     + part + ")");
         }
         try {
-            return joined.mesh();
+            return joined.mesh(materials::get);
         } catch (IllegalArgumentException e) {
             throw new FileProblem(source, String.valueOf(e.getMessage()), e);
         }
@@ -110,7 +125,8 @@ public final class ColladaSurface {
             if (++visits > Limits.MAX_OBJECTS || visit.depth > Limits.MAX_DEPTH) {
                 throw visit.element.wrong(
                         "a scene must have at most " + Limits.MAX_OBJECTS + " nodes, nested at most " + Limits.MAX_DEPTH
-                                + " deep, instances included, and no node may contain itself; join some, or nest less (got: more)");
+                                + " deep, instances included, and no node may contain itself; join some, or nest less"
+                                + " (got: more)");
             }
             List<Visit> inner = new ArrayList<>();
             visit(visit, inner);
@@ -137,8 +153,8 @@ public final class ColladaSurface {
                     }
                 }
                 case "instance_node" -> inner.add(new Visit(expected(child, "url", "node"), place, visit.depth + 1));
-                case "instance_geometry" -> geometry(node, expected(child, "url", "geometry"), place);
-                case "instance_controller" -> controller(node, expected(child, "url", "controller"), place);
+                case "instance_geometry" -> geometry(node, child, expected(child, "url", "geometry"), place);
+                case "instance_controller" -> controller(node, child, place);
                 default -> {} // transforms, and what is no shape
             }
         }
@@ -166,36 +182,38 @@ public final class ColladaSurface {
     }
 
     /** A skin in the shape in which it was bound to its skeleton; a morph, which has none, is not shown. */
-    private void controller(ColladaElement node, ColladaElement controller, AffineTransform place) throws FileProblem {
+    private void controller(ColladaElement node, ColladaElement instance, AffineTransform place) throws FileProblem {
+        ColladaElement controller = expected(instance, "url", "controller");
         ColladaElement skin = controller.child("skin");
         if (skin == null) {
             return;
         }
         ColladaElement bind = skin.child("bind_shape_matrix");
         AffineTransform bound = bind == null ? place : place.then(ColladaTransform.of(bind));
-        geometry(node, expected(skin, "source", "geometry"), bound);
+        geometry(node, instance, expected(skin, "source", "geometry"), bound);
     }
 
     private boolean isWanted(ColladaElement element) {
         return element.attribute("name").equals(part) || element.attribute("id").equals(part);
     }
 
-    private void geometry(ColladaElement node, ColladaElement geometry, AffineTransform place) throws FileProblem {
+    private void geometry(ColladaElement node, ColladaElement instance, ColladaElement geometry, AffineTransform place)
+            throws FileProblem {
         ColladaElement mesh = geometry.child("mesh");
         if (mesh == null || (part != null && !isWanted(node) && !isWanted(geometry))) {
             return; // splines and hulls have no mesh
         }
-        ColladaFaces known = meshes.get(mesh);
+        JoinedFaces.Part known = meshes.get(mesh);
         if (known == null) {
             known = ColladaFaces.read(mesh, file);
             meshes.put(mesh, known);
         }
-        if (joined.size() + known.faces.size() > Limits.MAX_FACES) {
+        if (joined.size() + known.faces().size() > Limits.MAX_FACES) {
             throw geometry.wrong("all meshes of a file together must have at most " + Limits.MAX_FACES
                     + " faces, each instance counted; simplify or split it (got: more)");
         }
         try {
-            joined.add(known.vertices, known.faces, place);
+            joined.add(known, place, symbol -> materials.bound(instance, symbol));
         } catch (IllegalArgumentException e) {
             throw geometry.wrong("<geometry>: a vertex, once placed: " + e.getMessage());
         }

@@ -132,6 +132,18 @@ final class GltfFile {
         return bytes;
     }
 
+    /** The bytes of a picture within the file or in data of base64; null if it is in a file of its own. */
+    byte @Nullable [] picture(GltfPart image) throws FileProblem {
+        String uri = image.text("uri");
+        if (image.has("bufferView")) {
+            ByteBuffer view = view(image.whole("bufferView"));
+            byte[] bytes = new byte[view.remaining()];
+            view.get(bytes);
+            return bytes;
+        }
+        return DATA.matcher(uri).lookingAt() ? bytes(image, uri) : null;
+    }
+
     private byte[] bytes(GltfPart buffer, String uri) throws FileProblem {
         Matcher data = DATA.matcher(uri);
         if (data.lookingAt()) {

@@ -120,6 +120,18 @@ final class GltfPart {
         return numbers;
     }
 
+    /** A number; another one if it was left out. */
+    double number(String name, double otherwise) throws FileProblem {
+        Object value = values.get(name);
+        if (value == null) {
+            return otherwise;
+        }
+        if (value instanceof Double number) {
+            return number;
+        }
+        throw wrong(name, "must be a number (got: another value)");
+    }
+
     /** A list of indices. */
     int[] indices(String name) throws FileProblem {
         List<?> list = list(name);

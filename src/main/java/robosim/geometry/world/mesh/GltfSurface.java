@@ -4,23 +4,28 @@ import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.check.Checks;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
+import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.TextureFiles;
 
 /**
  * The surface of a glTF file: the meshes that its scene shows, each where its nodes put it, in metres and with Y up, as the
- * format has it. Equal vertices are joined. Materials, cameras, animations, skins and morph targets are ignored; what cannot
- * be read is left out by its path in the file.
+ * format has it. Equal vertices are joined. Cameras, animations, skins and morph targets are ignored; what cannot be read is
+ * left out by its path in the file.
  */
 final class GltfSurface {
     private static final int TRIANGLES = 4;
@@ -50,7 +55,7 @@ final class GltfSurface {
     private @Nullable FileProblem first;
 
     /** A primitive of a mesh. */
-    private record Shape(GltfPart from, List<Point> vertices, List<int[]> faces) {}
+    private record Shape(GltfPart from, JoinedFaces.Part part) {}
 
     private GltfSurface(GltfFile file, Path path, @Nullable String part, TextureFiles leftOut) {
         this.file = file;
@@ -78,8 +83,8 @@ final class GltfSurface {
             if (!KNOWN.matcher(required).matches()) {
                 leaveOut(
                         "extension " + required,
-                        problem(
-                                "it is not supported, so what it adds or changes is missing; save the file without it"));
+                        problem("it is not supported, so what it adds or changes is missing; save the file without"
+                                + " it"));
             }
         }
         show(AffineTransform.scaled(scale, scale, scale));
@@ -93,7 +98,7 @@ final class GltfSurface {
                             : "there is no node or mesh of this name with a triangle in the scene (got: " + part + ")");
         }
         try {
-            return joined.mesh();
+            return joined.mesh(this::material);
         } catch (IllegalArgumentException e) {
             throw new FileProblem(path.toString(), String.valueOf(e.getMessage()), e);
         }
@@ -210,7 +215,7 @@ final class GltfSurface {
             meshes.put(number, shapes);
         }
         for (Shape shape : shapes) {
-            if (joined.size() + shape.faces.size() > Limits.MAX_FACES) {
+            if (joined.size() + shape.part.faces().size() > Limits.MAX_FACES) {
                 throw new LimitProblem(
                         path.toString(),
                         0,
@@ -219,7 +224,7 @@ final class GltfSurface {
                                 + " faces, each instance counted; simplify or split it (got: more)");
             }
             try {
-                joined.add(shape.vertices, shape.faces, place);
+                joined.add(shape.part, place, name -> name);
             } catch (IllegalArgumentException e) {
                 leaveOut(node.path, problem(shape.from.path + ": a vertex, once placed: " + e.getMessage()));
             }
@@ -271,8 +276,33 @@ final class GltfSurface {
         } catch (IllegalArgumentException e) {
             throw problem("vertex " + vertices.size() + ": " + e.getMessage());
         }
-        JoinedFaces.dropUnused(vertices, faces);
-        return new Shape(primitive, vertices, faces);
+        double[] points = points(primitive, count);
+        List<int[]> textures = new ArrayList<>();
+        for (int[] face : faces) {
+            textures.add(points.length > 0 ? face.clone() : new int[] {-1, -1, -1});
+        }
+        String material = primitive.has("material") ? String.valueOf(primitive.whole("material")) : "";
+        List<String> materials = Collections.nCopies(faces.size(), material);
+        return new Shape(primitive, new JoinedFaces.Part(vertices, faces, textures, points, materials).used());
+    }
+
+    /** Two shares of the picture for each vertex, from below; none if they cannot be read, which harms no shape. */
+    private double[] points(GltfPart primitive, int count) throws FileProblem {
+        GltfPart attributes = primitive.required("attributes");
+        if (!attributes.has("TEXCOORD_0")) {
+            return new double[0];
+        }
+        try {
+            double[] shares = numbers(attributes.whole("TEXCOORD_0"), 2);
+            for (int k = 0; k < shares.length; k++) {
+                shares[k] = Checks.coordinate("TEXCOORD_0", k % 2 == 0 ? shares[k] : 1 - shares[k]);
+            }
+            return shares.length == 2 * count ? shares : new double[0];
+        } catch (LimitProblem e) {
+            throw e;
+        } catch (FileProblem | IllegalArgumentException e) {
+            return new double[0];
+        }
     }
 
     private double[] numbers(int accessor, int parts) throws FileProblem {
@@ -308,5 +338,60 @@ final class GltfSurface {
 
     private static int corner(double @Nullable [] corners, int k) {
         return corners == null ? k : (int) corners[k];
+    }
+
+    /**
+     * The material of a number; the default for none: the base colour and its picture, what it emits, and how rough and metallic
+     * it is. What cannot be read of it is ignored, a picture too, since it costs no shape; the plain colour is seen there.
+     */
+    private Material material(String number) {
+        if (number.isEmpty()) {
+            return Material.DEFAULT;
+        }
+        try {
+            GltfPart material = file.root.item("materials", Integer.parseInt(number));
+            double[] glow = material.numbers("emissiveFactor", 0, 0, 0);
+            Material made = Material.DEFAULT.withEmission(color(glow));
+            GltfPart surface = material.child("pbrMetallicRoughness");
+            return surface == null ? made : material(made, surface);
+        } catch (FileProblem e) {
+            return Material.DEFAULT;
+        }
+    }
+
+    private Material material(Material material, GltfPart surface) throws FileProblem {
+        double rough = share(surface.number("roughnessFactor", 1));
+        double metal = share(surface.number("metallicFactor", 0));
+        // The highlight that is as wide: the square of the roughness is the square root of 2 / (n + 2).
+        double exponent = rough > 0 ? 2 / (rough * rough * rough * rough) - 2 : Material.MOST_SHININESS;
+        Material made = material.withColor(color(surface.numbers("baseColorFactor", 1, 1, 1, 1)))
+                .withShininess(Math.min(Math.max(1, exponent), Material.MOST_SHININESS))
+                .withMirror(metal * (1 - rough));
+        made = rough >= 1 ? made.withSpecular(0) : made;
+        GltfPart texture = surface.child("baseColorTexture");
+        if (texture == null) {
+            return made;
+        }
+        try {
+            int image = file.root.item("textures", texture.whole("index")).whole("source");
+            GltfPart picture = file.root.item("images", image);
+            byte[] bytes = file.picture(picture);
+            Path folder = path.toAbsolutePath().resolveSibling("");
+            return made.withTexture(
+                    bytes == null
+                            ? leftOut.read(folder, Folder.decoded(picture.text("uri")))
+                            : leftOut.read(path.toAbsolutePath(), "images[" + image + "]", bytes));
+        } catch (FileProblem | IllegalArgumentException e) {
+            return made;
+        }
+    }
+
+    /** Of linear components; what is brighter than white is white. */
+    private static Color color(double[] linear) {
+        return Color.ofLinear(share(linear[0]), share(linear[1]), share(linear[2]));
+    }
+
+    private static double share(double number) {
+        return Math.min(Math.max(0, number), 1);
     }
 }

@@ -63,7 +63,11 @@ public final class MeshFiles {
      */
     public static MeshObject read(Path file, double scale, TextureFiles textures) throws FileProblem {
         return switch (ending(file.toString())) {
-            case "dae" -> read(file, scale, ColladaSurface::read);
+            case "dae" ->
+                read(
+                        file,
+                        scale,
+                        (in, source, scaled) -> ColladaSurface.read(in, source, scaled, pictures(file, textures)));
             case "stl" -> read(file, scale, StlSurface::read);
             case "ply" -> read(file, scale, PlySurface::read);
             case "glb", "gltf" -> readGltf(file, scale, null, textures);
@@ -82,7 +86,7 @@ public final class MeshFiles {
     public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
         checkNamed(source);
         return switch (ending(source)) {
-            case "dae" -> ColladaSurface.read(in, source, scale);
+            case "dae" -> ColladaSurface.read(in, source, scale, null);
             case "stl" -> StlSurface.read(in, source, scale);
             case "ply" -> PlySurface.read(in, source, scale);
             case "obj" -> ObjSurface.read(in, source, scale);
@@ -99,13 +103,25 @@ public final class MeshFiles {
     public static MeshObject readPart(Path file, String part, TextureFiles textures) throws FileProblem {
         Path folder = file.toAbsolutePath().resolveSibling("");
         return switch (ending(file.toString())) {
-            case "dae" -> read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, part));
+            case "dae" -> readInItsAxes(file, part, textures);
             case "glb", "gltf" -> readGltf(file, 1, part, textures);
             case "ply" -> read(file, 1, (in, source, scale) -> PlySurface.read(in, source, scale, part));
             case "stl" -> used(read(file, 1, (in, source, scale) -> StlSurface.read(in, source, scale, part)));
             default ->
                 used(read(file, 1, (in, source, scale) -> ObjSurface.read(in, source, scale, folder, textures, part)));
         };
+    }
+
+    /** Reads a COLLADA file along the axes of its coordinates: a part, or all of it if that is null. */
+    public static MeshObject readInItsAxes(Path file, @Nullable String part, TextureFiles textures) throws FileProblem {
+        return read(
+                file,
+                1,
+                (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, part, pictures(file, textures)));
+    }
+
+    private static ColladaSurface.Pictures pictures(Path file, TextureFiles textures) {
+        return new ColladaSurface.Pictures(file.toAbsolutePath().resolveSibling(""), textures);
     }
 
     /** Reads a glTF file and the files of its buffers, which lie below its folder. */

@@ -18,7 +18,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
 
-/** The faces of an OBJ file with their texture coordinates and materials, while they are read, and the mesh of them. */
+/** The faces of a file with their texture coordinates and materials, while they are read, and the mesh of them. */
 final class ObjFaces {
     private final List<Point> vertices;
     private final List<int[]> faces = new ArrayList<>();
@@ -112,7 +112,8 @@ final class ObjFaces {
         return picked;
     }
 
-    private void keep(int[] face, int[] texture) {
+    /** Adds a face of three or four corners as it is. */
+    void keep(int[] face, int[] texture) {
         if (faces.size() == materials.length) {
             materials = Arrays.copyOf(materials, 2 * materials.length);
         }
@@ -125,8 +126,14 @@ final class ObjFaces {
         cornerCount += texture.length;
     }
 
+    /** What a name of a file stands for. */
+    @FunctionalInterface
+    interface Materials {
+        Material get(String name) throws FileProblem;
+    }
+
     /** The mesh, with its texture coordinates and its material. */
-    MeshObject mesh(@Nullable MaterialLibrary library) throws FileProblem {
+    MeshObject mesh(@Nullable Materials library) throws FileProblem {
         MeshObject mesh = new MeshObject(vertices, faces.toArray(int[][]::new));
         int[] uses = new int[names.size()];
         for (int f = 0; f < faces.size(); f++) {

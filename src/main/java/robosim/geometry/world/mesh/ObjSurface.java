@@ -76,7 +76,9 @@ public final class ObjSurface {
             reader.readLines(new BufferedReader(
                     new InputStreamReader(PlainBytes.of(CountedStream.bounded(in)), StandardCharsets.ISO_8859_1)));
             return reader.faces.mesh(
-                    folder == null || textures == null ? null : reader.library(folder, new MaterialLibrary(textures)));
+                    folder == null || textures == null
+                            ? null
+                            : reader.library(folder, new MaterialLibrary(textures))::get);
         } catch (FileProblem e) {
             throw e;
         } catch (IOException e) {

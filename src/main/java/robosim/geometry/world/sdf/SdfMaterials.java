@@ -1,5 +1,6 @@
 package robosim.geometry.world.sdf;
 
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
@@ -8,6 +9,40 @@ import robosim.geometry.world.shared.Numbers;
 
 /** The materials of SDFormat's visuals, for the collisions beside them: diffuse, specular and emissive colour, shininess. */
 final class SdfMaterials {
+    private static final String GAZEBO = "Gazebo/";
+
+    /** The diffuse colours of scripts of Gazebo, by their names; of those with a picture, a colour like it. */
+    private static final Map<String, String> COLORS = Map.ofEntries(
+            Map.entry("Grey", "#b3b3b3"),
+            Map.entry("Gray", "#b3b3b3"),
+            Map.entry("DarkGrey", "#2d2d2d"),
+            Map.entry("DarkGray", "#2d2d2d"),
+            Map.entry("White", "#ffffff"),
+            Map.entry("FlatBlack", "#1a1a1a"),
+            Map.entry("Black", "#000000"),
+            Map.entry("Red", "#ff0000"),
+            Map.entry("RedBright", "#de2626"),
+            Map.entry("Green", "#00ff00"),
+            Map.entry("Blue", "#0000ff"),
+            Map.entry("SkyBlue", "#21b5e6"),
+            Map.entry("Yellow", "#ffff00"),
+            Map.entry("ZincYellow", "#f9ee0f"),
+            Map.entry("DarkYellow", "#b3b300"),
+            Map.entry("Purple", "#ff00ff"),
+            Map.entry("Turquoise", "#00ffff"),
+            Map.entry("Orange", "#ff8200"),
+            Map.entry("Indigo", "#54008a"),
+            Map.entry("Gold", "#ccad26"),
+            Map.entry("Wood", "#a87b4a"),
+            Map.entry("WoodFloor", "#b98d5b"),
+            Map.entry("WoodPallet", "#b48f63"),
+            Map.entry("Bricks", "#9a5f4b"),
+            Map.entry("CeilingTiled", "#d9d7d0"),
+            Map.entry("Paper", "#f2efe6"),
+            Map.entry("Grass", "#4f7a32"),
+            Map.entry("Road", "#5a5a5c"),
+            Map.entry("Residential", "#9a9a94"));
+
     private SdfMaterials() {}
 
     /**
@@ -30,8 +65,24 @@ final class SdfMaterials {
         return found == null ? null : read(found);
     }
 
+    /** What a visual is made of; null if it does not say so. */
+    static @Nullable Material ofVisual(SdfElement visual) throws FileProblem {
+        SdfElement material = visual.child("material");
+        return material == null || material.children.isEmpty() ? null : read(material);
+    }
+
+    /** A colour by the name of one of Gazebo's scripts; null for others. */
+    private static @Nullable Color ofScript(SdfElement script) {
+        String name = script.valueOf("name");
+        String color = name.startsWith(GAZEBO) ? COLORS.get(name.substring(GAZEBO.length())) : null;
+        return color == null ? null : Color.parse(color);
+    }
+
     private static Material read(SdfElement element) throws FileProblem {
         Material material = Material.DEFAULT;
+        SdfElement script = element.child("script");
+        Color named = script == null ? null : ofScript(script);
+        material = named == null ? material : material.withColor(named);
         SdfElement diffuse = element.child("diffuse");
         if (diffuse != null) {
             material = material.withColor(color(diffuse));

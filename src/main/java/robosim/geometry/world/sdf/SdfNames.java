@@ -6,7 +6,7 @@ import robosim.geometry.world.xml.ChildNames;
 
 /**
  * The relevant elements of SDFormat up to 1.12: which are read, which are irrelevant to solid geometry, and which are
- * relevant but not supported. Of a visual only the material is read; it counts as irrelevant nevertheless.
+ * relevant but not supported. Visuals are read, and count as irrelevant to what is solid nevertheless.
  */
 public final class SdfNames {
     /** Names here of the models, links and names within a state, which are others than those of a world. */
@@ -44,8 +44,9 @@ public final class SdfNames {
             image: width height
             clip: near far
             noise: type mean stddev bias_mean bias_stddev precision dynamic_bias_stddev dynamic_bias_correlation_time
-            visual: material
-            material: diffuse emissive shininess specular
+            visual: pose geometry material
+            material: diffuse emissive shininess specular script
+            script: name
             collision: pose geometry
             joint: pose child
             geometry: box capsule cone cylinder ellipsoid empty heightmap image mesh plane polyline sphere
@@ -65,7 +66,7 @@ public final class SdfNames {
             sdf: light plugin
             state insertions deletions model_state link_state:
             sensor lidar ray scan horizontal vertical range camera clip lens intrinsics projection distortion noise:
-            visual material joint empty heightmap image:
+            visual material script joint empty heightmap image:
             model: allow_auto_disable enable_wind gripper plugin self_collide
             include: namespace plugin
             link: audio_sink audio_source battery enable_wind frame gravity inertial kinematic light must_be_base_link
@@ -98,7 +99,8 @@ public final class SdfNames {
             case "world", "model", "include", "link", "frame", "joint", "collision", "visual", "point", "sensor" ->
                 true;
             case "state", MODEL_STATE, LINK_STATE, DELETED -> true;
-            case "material", "diffuse", "emissive", "shininess", "specular" -> true; // harmless: the first one counts
+            case "material", "script", "diffuse", "emissive", "shininess", "specular" ->
+                true; // harmless: the first one counts
             default -> false;
         };
     }

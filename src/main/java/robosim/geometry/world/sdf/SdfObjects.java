@@ -26,6 +26,7 @@ import robosim.geometry.world.shared.Placement;
 public final class SdfObjects {
     private final SdfTree tree;
     private final SdfShapes shapes;
+    private final SdfVisuals visuals;
     private final List<GeometryObject> objects = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
     private final Map<String, Integer> namesakes = new HashMap<>();
@@ -43,6 +44,9 @@ public final class SdfObjects {
         @Nullable
         Placement first;
 
+        /** What is seen of it, in its own frame. */
+        final List<GeometryObject> visuals = new ArrayList<>();
+
         /** The sensors in it. */
         final List<Carried> sensors = new ArrayList<>();
     }
@@ -53,6 +57,7 @@ public final class SdfObjects {
     public SdfObjects(SdfTree tree, SdfShapes shapes) {
         this.tree = tree;
         this.shapes = shapes;
+        visuals = new SdfVisuals(shapes.ofVisuals());
     }
 
     public List<GeometryObject> objects() {
@@ -74,7 +79,9 @@ public final class SdfObjects {
     }
 
     public List<String> remarks() {
-        return remarks;
+        List<String> all = new ArrayList<>(remarks);
+        visuals.remark(all);
+        return all;
     }
 
     /** Adds everything in a world. */
@@ -112,6 +119,12 @@ public final class SdfObjects {
             boolean isAlone = body.members.size() == 1 && first.isOnTheSpot();
             GeometryObject whole =
                     isAlone ? only.at(place.then(first).pose()) : new ObjectGroup(body.members).at(place.pose());
+            if (!body.visuals.isEmpty() && !body.visuals.equals(body.members)) {
+                // In the object's own frame, which is the model's unless it is a single shape.
+                GeometryObject inModel = isAlone ? only : whole.at(Pose.ORIGIN);
+                whole = whole.withVisuals(
+                        SdfVisuals.seenAs(inModel, body.visuals).visuals());
+            }
             objects.add(whole.moveable(name));
             for (Carried each : body.sensors) {
                 Placement mount = isAlone ? first.inverse().then(each.inBody) : each.inBody;
@@ -160,6 +173,12 @@ public final class SdfObjects {
         countModel(scope);
         for (SdfNode link : scope.links) {
             counts.merge("link", 1, Integer::sum);
+            for (SdfElement visual : children(link, "visual")) {
+                GeometryObject seen = visuals.read(visual, link, inBody, () -> local(scope, link, visual));
+                if (seen != null) {
+                    body.visuals.add(seen);
+                }
+            }
             for (SdfElement collision : collisions(link)) {
                 leaveOutMistakes(collision, () -> {
                     String path = path(scope, link, collision);
@@ -198,6 +217,7 @@ public final class SdfObjects {
         Map<SdfElement, GeometryObject> found = new LinkedHashMap<>();
         Map<SdfElement, String> paths = new HashMap<>();
         Set<SdfElement> grounds = new HashSet<>();
+        List<GeometryObject> seen = new ArrayList<>(); // in the world
         SdfScope scope = inner(model);
         countModel(scope);
         for (SdfNode link : scope.links) {
@@ -214,12 +234,21 @@ public final class SdfObjects {
                     }
                 });
             }
+            for (SdfElement visual : children(link, "visual")) {
+                GeometryObject look = visuals.read(visual, link, inWorld, () -> local(scope, link, visual));
+                if (look != null) {
+                    seen.add(look);
+                }
+            }
             for (SdfElement sensor : sensors(link)) {
                 leaveOutMistakes(sensor, () -> {
                     Pose pose = inWorld.then(local(scope, link, sensor)).pose();
                     sensors.add(SensorElement.of(path(scope, link, sensor), sensor, null, pose));
                 });
             }
+        }
+        if (!seen.isEmpty() && !seen.equals(List.copyOf(found.values()))) {
+            show(found, grounds, seen);
         }
         boolean alone = found.size() == 1 && scope.models.isEmpty();
         for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
@@ -239,6 +268,18 @@ public final class SdfObjects {
         }
     }
 
+    /** Lets the first object of a static model be seen as all visuals of the model, and the others not at all. */
+    private static void show(
+            Map<SdfElement, GeometryObject> found, Set<SdfElement> grounds, List<GeometryObject> seen) {
+        List<GeometryObject> left = seen;
+        for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
+            if (!grounds.contains(each.getKey())) {
+                each.setValue(SdfVisuals.seenAs(each.getValue(), left));
+                left = List.of();
+            }
+        }
+    }
+
     private void addFloor(GeometryObject floor, String path, SdfElement collision) throws FileProblem {
         String name = unique(path, collision);
         floors.add(name);
@@ -253,14 +294,16 @@ public final class SdfObjects {
     }
 
     private static List<SdfElement> sensors(SdfNode link) {
-        return link.element.children.stream()
-                .filter(each -> each.name.equals("sensor"))
-                .toList();
+        return children(link, "sensor");
     }
 
-    private List<SdfElement> collisions(SdfNode link) {
+    private static List<SdfElement> collisions(SdfNode link) {
+        return children(link, "collision");
+    }
+
+    private static List<SdfElement> children(SdfNode link, String name) {
         return link.element.children.stream()
-                .filter(each -> each.name.equals("collision"))
+                .filter(each -> each.name.equals(name))
                 .toList();
     }
 
@@ -317,17 +360,9 @@ public final class SdfObjects {
         }
     }
 
-    /** Refuses a name that is too long to append a number. */
-    static void checkName(String name, SdfElement place) throws FileProblem {
-        if (name.length() > Limits.MAX_ATTRIBUTE - 20) {
-            throw place.wrong("a name with those of the enclosing models must have at most "
-                    + (Limits.MAX_ATTRIBUTE - 20) + " characters (got: " + name.length() + ")");
-        }
-    }
-
     /** A name that no other object has. */
     private String unique(String name, SdfElement place) throws FileProblem {
-        checkName(name, place);
+        SdfScope.checkName(name, place);
         String given = name;
         while (!names.add(given)) {
             given = name + " (" + namesakes.merge(name, 2, (before, two) -> before + 1) + ")";

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
 
 /**
@@ -148,5 +149,13 @@ public final class SdfScope {
         return end < 0 || node.inner == null
                 ? found
                 : found.then(node.inner.placement(name.substring(end + 2), null, place));
+    }
+
+    /** Refuses a name that is too long to append a number. */
+    static void checkName(String name, SdfElement place) throws FileProblem {
+        if (name.length() > Limits.MAX_ATTRIBUTE - 20) {
+            throw place.wrong("a name with those of the enclosing models must have at most "
+                    + (Limits.MAX_ATTRIBUTE - 20) + " characters (got: " + name.length() + ")");
+        }
     }
 }

@@ -17,7 +17,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.world.mesh.ColladaSurface;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
@@ -36,8 +35,8 @@ public final class SdfShapes {
 
     private final SdfTree tree;
     private final SdfFiles files;
-    private final Map<Part, MeshObject> surfaces = new HashMap<>();
-    private final Map<Scaled, MeshObject> meshes = new HashMap<>();
+    private final Map<Part, MeshObject> surfaces;
+    private final Map<Scaled, MeshObject> meshes;
     private long vertices;
 
     /** A part of a file by its name; all of it if that is empty. */
@@ -46,8 +45,19 @@ public final class SdfShapes {
     private record Scaled(Path file, String part, boolean isCentred, Point scale) {}
 
     public SdfShapes(SdfTree tree, SdfFiles files) {
+        this(tree, files, new HashMap<>(), new HashMap<>());
+    }
+
+    private SdfShapes(SdfTree tree, SdfFiles files, Map<Part, MeshObject> surfaces, Map<Scaled, MeshObject> meshes) {
         this.tree = tree;
         this.files = files;
+        this.surfaces = surfaces;
+        this.meshes = meshes;
+    }
+
+    /** The same meshes for shapes that are only seen, of which nobody needs to know what they are made of here. */
+    SdfShapes ofVisuals() {
+        return new SdfShapes(tree.aside(), files, surfaces, meshes);
     }
 
     /**
@@ -286,7 +296,7 @@ public final class SdfShapes {
             if (!key.name.isEmpty()) {
                 known = MeshFiles.readPart(file, key.name, files.textures());
             } else if (MeshFiles.isCollada(file.toString())) {
-                known = MeshFiles.read(file, 1, (in, source, scale) -> ColladaSurface.readInItsAxes(in, source, null));
+                known = MeshFiles.readInItsAxes(file, null, files.textures());
             } else {
                 known = MeshFiles.read(file, 1, files.textures());
             }

@@ -41,6 +41,11 @@ public final class SdfTree {
         this.open = new HashSet<>();
     }
 
+    /** A separate tree, whose remarks and losses are its own. */
+    SdfTree aside() {
+        return new SdfTree(this);
+    }
+
     /** A separate tree for looking at a part on its own, within the remaining limits. */
     private SdfTree(SdfTree outer) {
         this.files = outer.files;
@@ -268,7 +273,7 @@ public final class SdfTree {
         account(model);
         String frame = placed == model ? "" : placed.valueOf("placement_frame");
         String path = scope.pathOf(name);
-        SdfObjects.checkName(path, placed);
+        SdfScope.checkName(path, placed);
         SdfScope inner = new SdfScope(path);
         fill(inner, model);
         SdfNode node = new SdfNode(

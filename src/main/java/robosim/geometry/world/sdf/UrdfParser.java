@@ -25,9 +25,11 @@ import robosim.geometry.world.xml.XmlHandler;
  */
 final class UrdfParser extends XmlHandler {
     private static final ChildNames READ = new ChildNames("""
-            robot: link joint
-            link: collision
+            robot: link joint material
+            link: collision visual
             collision: origin geometry
+            visual: origin geometry material
+            material: color
             geometry: box cylinder sphere capsule mesh
             joint: origin parent child
             """);
@@ -97,6 +99,9 @@ final class UrdfParser extends XmlHandler {
             robot = element;
         } else {
             parent.children.add(element);
+            if (name.equals("visual") || name.equals("material")) {
+                parent.passedOver.merge(name, 1, Integer::sum); // by what is solid
+            }
         }
         open.push(element);
         SdfOld.complete(element); // which wrote sizes as URDF does
@@ -186,6 +191,10 @@ final class UrdfParser extends XmlHandler {
         }
         int collisions = 0;
         for (SdfElement each : given.children) {
+            if (each.name.equals("visual")) {
+                link.children.add(visual(each));
+                continue;
+            }
             collisions++;
             String name = each.attribute("name");
             String other = collisions == 1 ? "collision" : "collision_" + collisions;
@@ -204,6 +213,32 @@ final class UrdfParser extends XmlHandler {
             }
         }
         return link;
+    }
+
+    private SdfElement visual(SdfElement given) throws FileProblem {
+        SdfElement visual = element(given, "visual", Map.of("name", given.attribute("name")));
+        visual.children.add(pose(given, ""));
+        SdfElement geometry = given.child("geometry");
+        if (geometry != null) {
+            visual.children.add(geometry);
+        }
+        SdfElement material = given.child("material");
+        SdfElement color = material == null ? null : material.child("color");
+        if (material != null && color == null && robot != null) { // one of the robot's, by its name
+            for (SdfElement each : robot.children) {
+                boolean isMeant =
+                        each.name.equals("material") && each.attribute("name").equals(material.attribute("name"));
+                color = isMeant ? each.child("color") : color;
+            }
+        }
+        if (color != null) {
+            SdfElement made = element(color, "material", Map.of());
+            SdfElement diffuse = element(color, "diffuse", Map.of());
+            diffuse.text.append(color.attribute("rgba"));
+            made.children.add(diffuse);
+            visual.children.add(made);
+        }
+        return visual;
     }
 
     /** Refuses a shape without its size in the words of URDF, which has attributes where SDFormat has elements. */

@@ -1,6 +1,7 @@
 package robosim.geometry.world.shared;
 
 import java.io.BufferedInputStream;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -120,8 +121,35 @@ public final class TextureFiles {
         return candidates;
     }
 
+    /**
+     * A picture within another file, which covers 1 x 1.
+     *
+     * @param file  the other file
+     * @param name  that of the picture in it
+     * @param bytes those of a PNG or a JPEG
+     */
+    public ImageTexture read(Path file, String name, byte[] bytes) throws FileProblem {
+        Path key = file.resolveSibling(file.getFileName() + "#" + name);
+        ImageTexture read = known.get(key);
+        if (read == null) {
+            read = read(key, () -> new ByteArrayInputStream(bytes));
+            known.put(key, read);
+        }
+        return read;
+    }
+
     private ImageTexture read(Path file) throws FileProblem {
-        try (InputStream in = new BufferedInputStream(CountedStream.bounded(RegularFile.open(file)))) {
+        return read(file, () -> new BufferedInputStream(CountedStream.bounded(RegularFile.open(file))));
+    }
+
+    /** Opens a picture. */
+    @FunctionalInterface
+    private interface Opening {
+        InputStream open() throws IOException;
+    }
+
+    private ImageTexture read(Path file, Opening opening) throws FileProblem {
+        try (InputStream in = opening.open()) {
             in.mark(START);
             byte[] start = in.readNBytes(START);
             in.reset();

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.BodyContact;
+import robosim.geometry.dynamics.DifferentialDrive;
 import robosim.geometry.dynamics.Dynamics;
 import robosim.geometry.dynamics.ForceDrive;
 import robosim.geometry.dynamics.SpatialVelocity;
@@ -264,6 +265,101 @@ class SpatialMomentumTest {
             all[k] = mass[k] * dynamics.spatialVelocity(name(k)).x();
         }
         return all;
+    }
+
+    /** A bar that is turned against a body of any shape on a smooth floor: their angular momentum is torque times time. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.001, 0.0123, 0.1})
+    void aBarThatTurnsAnotherBodyGivesItWhatItLoses(double seconds) {
+        SplittableRandom random = new SplittableRandom(8);
+        int pressed = 0;
+        for (int run = 0; run < 4; run++) {
+            Geometry world = new Geometry(60, 8, 60);
+            world.addObject(new BoxObject(new Point(0, -0.5, 0), 50, 1, 50).named("floor"));
+            Dynamics dynamics = new Dynamics(world, new Surface(0, 1, 1));
+            double height = 0.5; // all meet at half of it, so that none is lifted off the floor and loses its grip
+            int count = 2;
+            Body[] body = new Body[count];
+            for (int k = 0; k < count; k++) {
+                double gap = random.nextBoolean() ? 2e-8 : random.nextDouble(0.02);
+                Point at = k == 0
+                        ? new Point(7, height / 2 + 1.5e-8, -3)
+                        : new Point(6.2, height / 2 + 1.5e-8, -2.6 + gap);
+                GeometryObject shape = switch (k == 0 ? 0 : 1 + random.nextInt(4)) {
+                    case 0 -> new BoxObject(at, 2, height, 0.3);
+                    case 1 -> new CylinderObject(at, 0.25, height);
+                    case 2 -> new BoxObject(at, 0.6, height, 0.5);
+                    case 3 -> new CapsuleObject(new Point(at.x(), at.y(), at.z() - 0.05), 0.2, 0.1);
+                    default -> new SphereObject(at, 0.25);
+                };
+                GeometryObject object = shape.moveable(name(k));
+                assertThat(world.addObject(object)).isTrue();
+                double mass = random.nextDouble(1, 5);
+                double inertia = mass * random.nextDouble(0.03, 0.1); // about all axes, as some are tipped a little
+                body[k] = Body.of(mass, inertia)
+                        .withInertia(inertia, inertia, inertia)
+                        .withSurface(Surface.SMOOTH);
+                dynamics.add(name(k), k == 0 ? body[k].withFloorFriction(100) : body[k]);
+            }
+            double torque = random.nextDouble(2, 5);
+            dynamics.drive(name(0), new ForceDrive(0, 0, torque));
+            double time = 0;
+            while (time < AWAKE) {
+                StepResult result = dynamics.step(seconds);
+                time += seconds;
+                assertThat(result.stopped()).isEmpty();
+                for (BodyContact contact : result.contacts()) {
+                    pressed += contact.impulse() > 0 && !"floor".equals(contact.other()) ? 1 : 0;
+                }
+                assertThat(angular(world, dynamics, body))
+                        .as("run %d at %s s", run, time)
+                        .isCloseTo(torque * time, within(BOUND));
+            }
+        }
+        assertThat(pressed).isGreaterThan(5);
+    }
+
+    /** The angular momentum of all bodies about the vertical through the middle of the world. */
+    private static double angular(Geometry world, Dynamics dynamics, Body[] body) {
+        double sum = 0;
+        for (int k = 0; k < body.length; k++) {
+            Point at = world.getObject(name(k)).center();
+            SpatialVelocity v = dynamics.spatialVelocity(name(k));
+            sum += body[k].mass() * (at.z() * v.x() - at.x() * v.z()) + body[k].inertia() * Math.toRadians(v.ry());
+        }
+        return sum;
+    }
+
+    /** A cart on a slab on a smooth floor, both at rest: whatever its drive does, both together have no angular momentum. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.001, 0.0123, 0.1})
+    void aCartAndItsSlabTurnAgainstEachOther(double seconds) {
+        for (int run = 0; run < 3; run++) {
+            Geometry world = new Geometry(60, 8, 60);
+            world.addObject(new BoxObject(new Point(0, -0.5, 0), 50, 1, 50).named("floor"));
+            Surface rough = new Surface(0, 1, 1);
+            Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+            BoxObject slab = new BoxObject(new Point(1, 0.1 + 1.5e-8, 2), 4, 0.2, 3).moveable(name(0));
+            BoxObject cart = new BoxObject(new Point(1.6, 0.4 + 3e-8, 1.5), 0.9, 0.4, 0.5).moveable(name(1));
+            assertThat(world.addObject(slab) && world.addObject(cart)).isTrue();
+            Body[] body = {
+                Body.ofMass(slab, 7).withSurface(rough), Body.ofMass(cart, 5).withSurface(rough)
+            };
+            dynamics.add(name(0), body[0]);
+            dynamics.add(name(1), body[1].withFloorFriction(1));
+            dynamics.drive(
+                    name(1),
+                    run == 0
+                            ? new DifferentialDrive(0.4, 1, 2).driving(0.6, 50)
+                            : new ForceDrive(run == 1 ? 4 : 0, run == 1 ? 3 : 0, 2));
+            for (double time = 0; time < 0.5; time += seconds) {
+                dynamics.step(seconds);
+                assertThat(angular(world, dynamics, body))
+                        .as("run %d at %s s", run, time)
+                        .isCloseTo(0, within(BOUND));
+            }
+            assertThat(Math.abs(dynamics.velocity(name(1)).ry())).isGreaterThan(5);
+        }
     }
 
     /** A body on the floor that hits a wall: the floor gives no more than what gravity takes. */

@@ -74,7 +74,7 @@ class GjkTest {
                 }
             }
         }
-        assertThat(most).isBetween(20, 100);
+        assertThat(most).isBetween(10, 20);
     }
 
     @Test
@@ -201,43 +201,6 @@ class GjkTest {
             0
         };
         assertThat(roundoff(LeafKind.SPHERE, sphere, LeafKind.BOX, box)).isBetween(0.1, 1.0);
-        double[] turned = {
-            -0.5681593082659965,
-            -0.9770477295758886,
-            -0.4747084960944594,
-            0.3021621115325931,
-            0.35721597288516665,
-            0.8511348137731174,
-            0.4221535239346061,
-            -0.15254620213575998,
-            -0.8935972574060139,
-            0.48599225016219505,
-            -0.7940296771101969,
-            0.36514162273091105,
-            -0.7652437095539436,
-            -0.5884271646365695,
-            -0.26106615427107216,
-            0
-        };
-        double[] cylinder = {
-            0.08067759401239855,
-            0.8257328858416143,
-            0.8666492525741364,
-            0.2276655500412075,
-            0.27543099160478607,
-            0,
-            0.3069960715239748,
-            0.7953178773946715,
-            -0.522707266034518,
-            -0.25935661245258423,
-            -0.45852796520597494,
-            -0.849991913315173,
-            -0.9156896633936449,
-            0.396511764037969,
-            0.06550466650194564,
-            0
-        };
-        assertThat(roundoff(LeafKind.BOX, turned, LeafKind.CYLINDER, cylinder)).isBetween(0.1, 1.0);
     }
 
     /** An axis so nearly upright that the squares of what is aside underflow: no point beyond the rim is taken for one of it. */

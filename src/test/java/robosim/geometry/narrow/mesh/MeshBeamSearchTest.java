@@ -52,6 +52,11 @@ class MeshBeamSearchTest {
         int beams = 0;
         for (int trial = 0; trial < 10; trial++) {
             MeshObject mesh = MeshRayTest.placed(family.mesh(random), trial % 5, family.size(), random);
+            if (trial == 6) {
+                double cos = StrictMath.cos(trial);
+                double sin = StrictMath.sin(trial);
+                mesh = mesh.oriented(new double[] {cos, 0, sin, 0, 1, 0, -sin, 0, cos}); // upright
+            }
             LeafColumn column = LocalLeaves.placed(mesh);
             double[][] rows = MeshRayTest.rows(column);
             for (int k = 0; k < BEAMS; k++) {

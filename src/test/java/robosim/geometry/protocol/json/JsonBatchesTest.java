@@ -114,6 +114,10 @@ class JsonBatchesTest {
 
     @Test
     void aListOfTheWorldIsReadAndWritten() throws ProtocolException {
+        Bundle copies = BatchSamples.copies().get(0);
+        assertThat(JsonLines.readRequest(JsonLines.write(copies))).isEqualTo(copies);
+        Reply ticks = new Reply(BatchSamples.copies().get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(ticks))).isEqualTo(ticks);
         Bundle asked = BatchSamples.listed().get(0);
         assertThat(JsonLines.readRequest(JsonLines.write(asked))).isEqualTo(asked);
         Reply told = new Reply(BatchSamples.listed().get(1));
@@ -212,8 +216,8 @@ class JsonBatchesTest {
                 Arguments.of(batch("{\"objectName\":\"r\"}"), "must have the field \"kind\""),
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
-                        "must be sense, poses, edges, measure, picture, world, pose, place, add, remove, move, moveToContact,"
-                                + " moveAndSlide, list or separate (got: \"x\")"),
+                        "must be sense, poses, edges, measure, picture, world, pose, place, add, remove, move,"
+                                + " moveToContact, moveAndSlide, list, separate, copy or tick (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0/max: max must be at least min"),

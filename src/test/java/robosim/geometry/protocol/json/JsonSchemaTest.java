@@ -157,6 +157,8 @@ class JsonSchemaTest {
         }
         lines.add(JsonLines.write(BatchSamples.obstacles().get(0)));
         lines.add(JsonLines.write(BatchSamples.listed().get(0)));
+        lines.add(JsonLines.write(BatchSamples.copies().get(0)));
+        lines.add("{\"type\":\"hello\",\"version\":1,\"resume\":\"\"}");
         lines.add(JsonLines.write(BatchSamples.walks()));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
         lines.add(JsonLines.write(BatchSamples.rules().get(2)));
@@ -188,6 +190,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(BatchSamples.world().get(1))),
                 JsonLines.write(new Reply(BatchSamples.obstacles().get(1))),
                 JsonLines.write(new Reply(BatchSamples.listed().get(1))),
+                JsonLines.write(new Reply(BatchSamples.copies().get(1))),
                 JsonLines.write(new Reply(made)),
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(StepSamples.landing())),
