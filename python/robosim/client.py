@@ -44,7 +44,7 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Op
 
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
-    "pinhole", "directions", "sense", "picture", "poses", "edges", "pose", "place", "add", "remove", "go", "go_to_contact",
+    "pinhole", "directions", "sense", "picture", "poses", "edges", "measure", "pose", "place", "add", "remove", "go", "go_to_contact",
     "go_and_slide", "separate", "mixing", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
     "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
@@ -403,7 +403,7 @@ def _unpacked(code: str, text: str) -> "array.array[Any]":
 
 
 def _packed(numbers: Iterable[float]) -> str:
-    packed = array.array("d", numbers)
+    packed = array.array("d", getattr(numbers, "ravel", lambda: numbers)())  # arrays of NumPy have any shape
     if sys.byteorder == "big":
         packed.byteswap()
     return base64.b64encode(packed.tobytes()).decode("ascii")
@@ -616,6 +616,15 @@ def poses(name: str, numbers: Iterable[float]) -> Json:
 def edges(name: str, numbers: Iterable[float]) -> Json:
     """Whether it would touch nothing on the way between two poses, eight numbers each."""
     return {"kind": "edges", "objectName": name, "edges": _packed(numbers)}
+
+
+def measure(name: str, question: str, numbers: Iterable[float], *, max: float = math.inf, margin: float = 0.0,
+            ignored: Iterable[str] = ()) -> Json:
+    """Numbers about many poses ("DISTANCES", "CLEARANCES"), edges ("EDGES") or drives ("DRIVES"); see the methods clearances,
+    edge_fractions and drive_fractions of a Module."""
+    request: Json = {"kind": "measure", "objectName": name, "question": question, "numbers": _packed(numbers),
+                     "margin": margin, "ignored": list(ignored)}
+    return request if max == math.inf else {**request, "max": max}
 
 
 def pose(name: str) -> Json:
@@ -1118,6 +1127,26 @@ class Module:
         """Whether it would touch nothing on the way between two poses, eight numbers each."""
         return self._one(edges(name, numbers))
 
+    def clearances(self, name: str, numbers: Iterable[float], max: float = math.inf, ignored: Iterable[str] = (),
+                   points: bool = False) -> "array.array[float]":
+        """The signed distance of an object at each pose to the nearest other: below 0 where it overlaps one, infinite if nothing
+        is within max. With points, ten numbers for each pose: the distance, a point on the object, one on the other, and the
+        direction from that. Named objects that are ignored do not count."""
+        question = "CLEARANCES" if points else "DISTANCES"
+        return self._one(measure(name, question, numbers, max=max, ignored=ignored))
+
+    def edge_fractions(self, name: str, numbers: Iterable[float], margin: float = 0.0,
+                       ignored: Iterable[str] = ()) -> "array.array[float]":
+        """The fractions of the translation and of the turn of each edge that are free, two numbers each, while the object keeps
+        a margin from everything."""
+        return self._one(measure(name, "EDGES", numbers, margin=margin, ignored=ignored))
+
+    def drive_fractions(self, name: str, numbers: Iterable[float], margin: float = 0.0,
+                        ignored: Iterable[str] = ()) -> "array.array[float]":
+        """The fraction of the time of each drive that is free: nine numbers each, a pose, a velocity forward, up and to the right,
+        one of the heading in radians a second, and seconds."""
+        return self._one(measure(name, "DRIVES", numbers, margin=margin, ignored=ignored))
+
     def pose(self, name: str) -> Pose:
         """Where an object is."""
         return self._one(pose(name))
@@ -1205,6 +1234,8 @@ def _read(request: Json, answer: Json) -> Answer:
         if kind in ("poses", "edges"):
             bits = base64.b64decode(answer["free"])
             return [bool(bits[k >> 3] >> (k & 7) & 1) for k in range(answer["count"])]
+        if kind == "measure":
+            return _unpacked("d", answer["numbers"])
         if kind == "pose":
             return Pose(answer["center"], answer["rotation"], answer["heading"])
         if kind in ("move", "moveToContact"):

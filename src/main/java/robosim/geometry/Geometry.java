@@ -22,6 +22,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
+import robosim.geometry.model.Twist;
 import robosim.geometry.narrow.Scratch;
 
 /**
@@ -341,6 +342,49 @@ public final class Geometry implements WorldQueries {
     }
 
     /**
+     * Moves an object with a velocity that stays constant in its own frame, or reports what blocks it: straight ahead, along the
+     * arc of a car, or in a turn in place. It turns while it translates; a {@link Move} turns after it.
+     *
+     * <p>The rules are those of {@link #move(String, Move)}, also for what the object touches at the start: the arc is swept as
+     * the turn about its centre that it is. {@code fraction} and {@code turnFraction} are both the fraction of the time that is
+     * free. It can be used: {@code fraction * seconds}, computed in doubles, is accepted with the same twist.
+     *
+     * <p>From a start in contact, the gap that counts as contact is 2<sup>-30</sup> of the object's largest distance from the centre
+     * of its arc, as for other turns; else it is at most 2<sup>-25</sup> of the object's size.
+     *
+     * @param seconds at least 0
+     * @throws IllegalArgumentException if it turns and climbs at once, a helix, in a SPATIAL world (or a tipped object does in
+     *     any): {@link #driveFractions} measures such motions
+     */
+    public MoveResult move(String name, Twist twist, double seconds) {
+        return move(name, twist, seconds, Avoidance.ALL);
+    }
+
+    /** The same with a margin that is kept all along the motion, and without the objects that do not count. */
+    public MoveResult move(String name, Twist twist, double seconds, Avoidance avoid) {
+        registry.begin("move");
+        int id = arc(name, twist, seconds);
+        Checks.present("avoid", avoid).begin(engine);
+        try {
+            boolean isFree = engine.batches().attemptTwist(view, id, twist, seconds, avoid.margin());
+            MoveResult result = result(isFree);
+            if (isFree) {
+                engine.motion.commit();
+            }
+            return result;
+        } finally {
+            objects.ignored.clear();
+        }
+    }
+
+    /** Checks a motion with a twist; returns the id of the object. */
+    private int arc(String name, Twist twist, double seconds) {
+        int id = registry.mover(name);
+        engine.motion.checkTwist(view, id, Checks.present("twist", twist), seconds);
+        return id;
+    }
+
+    /**
      * Makes a move along the world's axes, or reports what blocks it: a translation along them, then in place a turn by
      * {@code ry} about the world's Y and one by {@code rx} about the world's X, both through the object's centre. In
      * PLANAR an object turns about the vertical only, and {@code rx} is ignored, unlike in {@link #move}: the world's X lies
@@ -366,6 +410,16 @@ public final class Geometry implements WorldQueries {
         int id = registry.mover(name);
         Checks.present("move", move);
         MoveResult result = result(engine.motion.attemptOwn(view, id, move, Checks.clearance(clearance)));
+        engine.motion.commit();
+        return result;
+    }
+
+    /** The same for a motion with a constant twist, as {@link #move(String, Twist, double)} makes it. */
+    public MoveResult moveToContact(String name, Twist twist, double seconds, double clearance) {
+        registry.begin("moveToContact");
+        int id = arc(name, twist, seconds);
+        MoveResult result =
+                result(engine.batches().attemptTwist(view, id, twist, seconds, Checks.clearance(clearance)));
         engine.motion.commit();
         return result;
     }

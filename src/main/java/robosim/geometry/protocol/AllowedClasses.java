@@ -24,6 +24,7 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.ListedObject;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -96,6 +97,9 @@ final class AllowedClasses {
             SceneLight.Lamp.class,
             SceneLight.Spot.class,
             FreeEdgesRequest.class,
+            MeasureRequest.class,
+            MeasureRequest.Question.class,
+            MeasureRequest.Answer.class,
             BatchAnswerBundle.class,
             SenseAnswer.class,
             FreeAnswer.class,

@@ -5,6 +5,7 @@ import java.util.List;
 import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.CopyRequest;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
@@ -83,6 +84,10 @@ public record BatchRequestBundle(List<BatchRequest> requests) implements Bundle 
         if (request instanceof SenseRequest sense) {
             // A beam's direction, distance, normal and object: while they are found, as an answer, and as bytes.
             return 64L + (sense.normals() ? 80L : 0) + (sense.objects() ? 96L : 0);
+        }
+        if (request instanceof MeasureRequest measure) {
+            // A number: while it is found, as an answer, and as bytes.
+            return 32L * measure.question().answered;
         }
         // A pixel: as a number, and as three bytes in the answer, on the way, and in base64.
         return request instanceof PictureRequest picture ? 16L + 24L * picture.samples() * picture.samples() : 1L;

@@ -10,6 +10,7 @@ import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.SenseAnswer;
@@ -52,6 +53,13 @@ final class BatchMismatch {
             }
             return place;
         }
+        if (before instanceof MeasureRequest.Answer one && now instanceof MeasureRequest.Answer two) {
+            int number = 0;
+            while (Double.compare(one.numbers().get(number), two.numbers().get(number)) == 0) {
+                number++;
+            }
+            return number;
+        }
         if (before instanceof PictureAnswer one && now instanceof PictureAnswer two) {
             int pixel = 0;
             while (color(one, pixel) == color(two, pixel)) {
@@ -90,6 +98,9 @@ final class BatchMismatch {
         if (request instanceof WorldRequest || request instanceof CopyRequest) {
             return "request for " + Text.line(request.toString());
         }
+        if (request instanceof MeasureRequest measure) {
+            return "batch of " + measure.size() + " " + measure.question() + " of " + Text.quoted(measure.objectName());
+        }
         String what =
                 request instanceof SenseRequest ? "beams" : request instanceof FreePosesRequest ? "poses" : "edges";
         boolean isCarried = request.isAboutMover(); // a sensor may stand in the world
@@ -106,6 +117,11 @@ final class BatchMismatch {
         }
         if (answer instanceof FreeAnswer free) {
             return item < 0 ? "bits" : (free.isFree(item) ? "free" : "not free") + " at " + item;
+        }
+        if (answer instanceof MeasureRequest.Answer measure) {
+            return item < 0
+                    ? "numbers"
+                    : "number " + item + ": " + measure.numbers().get(item);
         }
         if (answer instanceof PictureAnswer picture) {
             return item < 0

@@ -18,6 +18,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.PictureAnswer;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.TickAnswer;
@@ -131,6 +132,9 @@ public final class Replay {
         }
         if (answer instanceof FreeAnswer free) {
             return free.count();
+        }
+        if (answer instanceof MeasureRequest.Answer measure) {
+            return measure.numbers().size();
         }
         if (answer instanceof TickAnswer tick) {
             return (long) tick.touches().size()

@@ -99,6 +99,7 @@ final class Hostile {
             List<Bundle> batches = new ArrayList<>(BatchSamples.everyBundle());
             batches.addAll(BatchSamples.frames());
             batches.addAll(BatchSamples.pictures());
+            batches.addAll(BatchSamples.measures());
             batches.addAll(BatchSamples.world());
             batches.addAll(BatchSamples.obstacles());
             batches.addAll(BatchSamples.listed());
@@ -138,6 +139,8 @@ final class Hostile {
         lines.add(JsonLines.write(new Reply(BatchSamples.frames().get(1))));
         lines.add(JsonLines.write(BatchSamples.pictures().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.pictures().get(1))));
+        lines.add(JsonLines.write(BatchSamples.measures().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.measures().get(1))));
         lines.add(JsonLines.write(BatchSamples.world().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.world().get(1))));
         lines.add(JsonLines.write(BatchSamples.world().get(3)));

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Avoidance;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.exact.Degrees;
@@ -42,6 +43,8 @@ import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.MeasureRequest;
+import robosim.geometry.protocol.batch.MeasureRequest.Question;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -434,6 +437,70 @@ class BatchSessionTest {
         breaths[0] = 0;
         ask(new FreeEdgesRequest("robot", new Numbers(new double[8 * 6400])));
         assertThat(breaths[0]).isBetween(100, 110);
+    }
+
+    /** Measured places and motions have the bits of the calls in Java, in parts and with what does not count. */
+    @Test
+    void whatIsMeasuredIsThatOfTheCalls() {
+        Geometry world = init(Dimension.SPATIAL);
+        SplittableRandom random = new SplittableRandom(3971);
+        List<String> ignored = world.objects().stream()
+                .map(GeometryObject::name)
+                .filter(name -> name != null && !name.equals("cart"))
+                .limit(2)
+                .toList();
+        assertThat(ignored).isNotEmpty();
+        Avoidance avoid = Avoidance.margin(0.125).andIgnoring(ignored);
+        int clear = 0;
+        int within = 0;
+        for (int count : new int[] {1, 64, 200}) {
+            double[] poses = new double[4 * count];
+            double[] drives = new double[9 * count];
+            for (int k = 0; k < count; k++) {
+                for (int n = 0; n < 3; n++) {
+                    poses[4 * k + n] = random.nextDouble(-4, 4);
+                    drives[9 * k + n] = poses[4 * k + n];
+                }
+                poses[4 * k + 3] = random.nextDouble(-3, 3);
+                drives[9 * k + 3] = poses[4 * k + 3];
+                drives[9 * k + 4] = random.nextDouble(-1, 1);
+                drives[9 * k + 7] = random.nextDouble(-1, 1);
+                drives[9 * k + 8] = random.nextDouble(0, 2);
+            }
+            double[] edges = Arrays.copyOf(poses, poses.length / 8 * 8);
+            List<BatchAnswer> answers = ask(
+                    measure(Question.DISTANCES, poses, 2, 0, ignored),
+                    measure(Question.CLEARANCES, poses, INFINITY, 0, List.of()),
+                    measure(Question.EDGES, edges, INFINITY, 0.125, ignored),
+                    measure(Question.DRIVES, drives, INFINITY, 0.125, ignored));
+            degrees(poses);
+            degrees(edges);
+            for (int k = 0; k < count; k++) {
+                drives[9 * k + 3] = Degrees.toDegrees(drives[9 * k + 3]);
+                drives[9 * k + 7] = Degrees.toDegrees(drives[9 * k + 7]);
+            }
+            double[] one = new double[count];
+            clear += world.clearances("cart", poses, 2, avoid.withMargin(0), one);
+            assertThat(answers.get(0)).isEqualTo(new MeasureRequest.Answer(new Numbers(one)));
+            double[] ten = new double[10 * count];
+            world.clearances("cart", poses, INFINITY, Avoidance.ALL, ten);
+            assertThat(answers.get(1)).isEqualTo(new MeasureRequest.Answer(new Numbers(ten)));
+            double[] two = new double[edges.length / 4];
+            world.edgeFractions("cart", edges, avoid, two);
+            assertThat(answers.get(2)).isEqualTo(new MeasureRequest.Answer(new Numbers(two)));
+            within += world.driveFractions("cart", drives, avoid, one);
+            assertThat(answers.get(3)).isEqualTo(new MeasureRequest.Answer(new Numbers(one)));
+        }
+        assertThat(clear).isBetween(20, 260);
+        assertThat(within).isBetween(10, 260);
+        assertThat(ask(measure(Question.DISTANCES, new double[4], 1, 0, List.of("nobody")))
+                        .get(0))
+                .isEqualTo(new NoAnswer());
+    }
+
+    private static MeasureRequest measure(
+            Question question, double[] numbers, double max, double margin, List<String> ignored) {
+        return new MeasureRequest("cart", question, new Numbers(numbers), max, margin, ignored);
     }
 
     /** Patterns that are kept give the same answers as those that are made anew. */

@@ -24,6 +24,7 @@ import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.PictureRequest;
@@ -40,6 +41,7 @@ class BatchMessageTest {
     private static final String OBSTACLES = "obstacles.ser";
     private static final String LISTED = "listed.ser";
     private static final String WALKS = "walks.ser";
+    private static final String MEASURES = "measures.ser";
     private static final String RULES = "rules.ser";
 
     @Test
@@ -78,6 +80,37 @@ class BatchMessageTest {
         assertThat(JsonLines.readRequest(JsonLines.write(rules.get(2)))).isEqualTo(rules.get(2));
         Reply answers = new Reply(rules.get(1));
         assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
+    }
+
+    @Test
+    void measuresComeBackAsTheyWere() throws IOException {
+        List<Bundle> measures = BatchSamples.measures();
+        assertThat(MessageTest.readAll(MessageTest.write(measures.toArray(Bundle[]::new))))
+                .isEqualTo(measures);
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(MEASURES))).isEqualTo(measures);
+        assertThat(JsonLines.readRequest(JsonLines.write(measures.get(0)))).isEqualTo(measures.get(0));
+        Reply answers = new Reply(measures.get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
+    }
+
+    /** What a request refuses when it is made cannot be read either. */
+    @Test
+    void measuresThatAreWrongAreRefused() {
+        List<String> none = List.of();
+        Numbers drive = Numbers.of(0, 0, 0, 0, 0, 0, 0, 0, -1);
+        assertThatThrownBy(() -> new MeasureRequest("a", MeasureRequest.Question.DRIVES, drive, 1, 0, none))
+                .hasMessageContaining("numbers[8]")
+                .hasMessageContaining("(got: -1.0)");
+        assertThatThrownBy(() -> new MeasureRequest("a", MeasureRequest.Question.EDGES, drive, 1, 0, none))
+                .hasMessageContaining("numbers must have 8 numbers each (got: 9 numbers)");
+        Numbers pose = Numbers.of(0, 0, 0, 0);
+        assertThatThrownBy(() -> new MeasureRequest("a", MeasureRequest.Question.DISTANCES, pose, Double.NaN, 0, none))
+                .hasMessageContaining("max");
+        assertThatThrownBy(() -> new MeasureRequest("a", MeasureRequest.Question.DISTANCES, pose, 1, -1, none))
+                .hasMessageContaining("(got: -1.0)");
+        assertThatThrownBy(() ->
+                        new MeasureRequest("a", MeasureRequest.Question.DISTANCES, pose, 1, 0, List.of("b", "b")))
+                .hasMessage("ignored must have each name once (got: [b, b])");
     }
 
     /** The classes that a stream names: a peer that does not know one of them refuses it; fields it does not know it skips. */

@@ -16,6 +16,7 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.ListedObject;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -126,6 +127,27 @@ public final class BatchSamples {
                 new BatchAnswerBundle(List.of(
                         new PictureAnswer(2, 1, new byte[] {0, 1, 2, -1, -128, 127}),
                         PictureAnswer.of(1, 1, new int[] {0xff8001}))));
+    }
+
+    /** What is measured at places and on motions, and the numbers. */
+    public static List<Bundle> measures() {
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new MeasureRequest(
+                                "robot",
+                                MeasureRequest.Question.DRIVES,
+                                Numbers.of(1, 2, 3, -7, 1e-300, -0.0, 4, 0.5, 9),
+                                INFINITY,
+                                0.25,
+                                List.of("floor", "\u00e9")),
+                        new MeasureRequest(
+                                "", MeasureRequest.Question.CLEARANCES, Numbers.of(0, 0, 0, 0), 3, 0, List.of()),
+                        new MeasureRequest(
+                                "a", MeasureRequest.Question.DISTANCES, Numbers.NONE, 0, 0x1p100, List.of()),
+                        new MeasureRequest(
+                                "a", MeasureRequest.Question.EDGES, Numbers.of(new double[8]), 1, 0, List.of("b")))),
+                new BatchAnswerBundle(List.of(
+                        new MeasureRequest.Answer(Numbers.of(-0.5, INFINITY)), new MeasureRequest.Answer(Numbers.NONE))));
     }
 
     /** Requests about the world's objects, and answers to them; what came after the frames. */

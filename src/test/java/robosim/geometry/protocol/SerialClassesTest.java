@@ -130,6 +130,7 @@ class SerialClassesTest {
                 + new String(StoredBytesTest.stored("listed.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("walks.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("rules.ser"), StandardCharsets.ISO_8859_1)
+                + new String(StoredBytesTest.stored("measures.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("stops.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("steps.ser"), StandardCharsets.ISO_8859_1);
         AllowedClasses allowed = new AllowedClasses(Set.of());

@@ -2,6 +2,7 @@ package robosim.geometry.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -24,6 +25,7 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
@@ -44,6 +46,29 @@ class BatchReplayTest {
             new SenseRequest("robot", Mount.CENTER, new BeamPattern.Fan(0, 1.5, 3), 0, 9, 0, false, true),
             new FreePosesRequest("robot", Numbers.of(0, 0, 0, 0, 3, 0, 0, 0)),
             new SenseRequest("rover", new BeamPattern.Fan(0, 0, 1))));
+
+    private static final BatchRequestBundle MEASURES = new BatchRequestBundle(List.of(
+            new MeasureRequest(
+                    "robot",
+                    MeasureRequest.Question.DISTANCES,
+                    Numbers.of(0, 0, 0, 0, 2.8, 0, 0, 0),
+                    Double.POSITIVE_INFINITY,
+                    0,
+                    List.of()),
+            new MeasureRequest(
+                    "robot",
+                    MeasureRequest.Question.DRIVES,
+                    Numbers.of(0, 0, 0, 0, 1, 0, 0, 0.1, 9),
+                    Double.POSITIVE_INFINITY,
+                    0.25,
+                    List.of()),
+            new MeasureRequest(
+                    "robot",
+                    MeasureRequest.Question.DRIVES,
+                    Numbers.of(0, 0, 0, 0, 1, 0, 0, 0.1, 2),
+                    Double.POSITIVE_INFINITY,
+                    0.25,
+                    List.of("wall"))));
 
     private static List<Step> recorded() throws IOException {
         return recorded(BATCH);
@@ -159,5 +184,29 @@ class BatchReplayTest {
         assertThatThrownBy(() -> new Step(new BatchAnswerBundle(List.of()), null))
                 .hasMessageContaining("(got: a BatchAnswerBundle)");
         assertThat(StepWeight.of(new Step(BATCH, null))).isEqualTo(1 + 3 + (3 * 144 + 2 + 64) / 60);
+    }
+
+    @Test
+    void whatWasMeasuredIsComparedToTheBit() throws IOException {
+        List<Step> steps = recorded(MEASURES);
+        Reply told = Objects.requireNonNull(steps.get(1).expected());
+        List<BatchAnswer> answers = new ArrayList<>(((BatchAnswerBundle) told.bundle()).answers());
+        Numbers distances = ((MeasureRequest.Answer) answers.get(0)).numbers();
+        assertThat(distances.get(0)).isCloseTo(2.65, within(1e-12));
+        assertThat(distances.get(1)).isLessThan(-0.1);
+        double part = ((MeasureRequest.Answer) answers.get(1)).numbers().get(0);
+        assertThat(part).isBetween(0.2, 0.4);
+        assertThat(answers.get(2)).isEqualTo(new MeasureRequest.Answer(Numbers.of(1)));
+        Replay replay = new Replay(SessionOptions.ROBOSIM);
+        for (Step step : steps) {
+            assertThat(replay.step(step)).isNull();
+        }
+        assertThat(replay.compared()).isEqualTo(4);
+        answers.set(1, new MeasureRequest.Answer(Numbers.of(Math.nextUp(part))));
+        Replay other = new Replay(SessionOptions.ROBOSIM);
+        other.step(steps.get(0));
+        assertThat(String.valueOf(other.step(new Step(MEASURES, new Reply(new BatchAnswerBundle(answers))))))
+                .contains("1 DRIVES of \"robot\"")
+                .contains("number 0: " + part);
     }
 }

@@ -186,6 +186,20 @@ def sensors(module):
     same(len(lidar), 15)
     same(module.free_poses("robot", [0, 0, 0, 0, 3, 0, 0, 0, 1, 0, 1, 2]), [True, False, True])
     same(module.free_edges("robot", [0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 6, 0, 0, 0]), [True, False])
+    distances = module.clearances("robot", [0, 0, 0, 0, 3, 0, 0, 0])
+    same((distances[0] > 0, distances[1] < 0), (True, True))
+    clear = module.clearances("robot", [0, 0, 0, 0], points=True)
+    same((len(clear), clear[0]), (10, distances[0]))
+    near(clear[1] - clear[4], clear[0] * clear[7])
+    near(clear[3] - clear[6], clear[0] * clear[9])
+    same(list(module.clearances("robot", [0, 0, 0, 0], max=1e-3)), [INF])
+    same(list(module.edge_fractions("robot", [0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 6, 0, 0, 0]))[:2], [1, 1])
+    blocked = module.edge_fractions("robot", [0, 0, 0, 0, 6, 0, 0, 0], margin=0.1)
+    same((0 < blocked[0] < 1, blocked[1]), (True, 0))
+    drives = [0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 3, 0, 0, 0, 2]
+    same([part == 1 for part in module.drive_fractions("robot", drives)], [True, False])
+    refused(lambda: module.clearances("robot", [0, 0, 0, 0], ignored=["nobody"]),
+            'name must be that of an object in the world (got: "nobody")')
     refused(lambda: module.scan("nobody"), 'no moveable object "nobody"')
 
 

@@ -259,7 +259,7 @@ final class ClearanceSearch {
         double size = 0;
         segment.atStart.bounds(0, segment.atStart.size(), bounds);
         for (int axis = 0; axis < 3; axis++) {
-            double pivot = segment.start[axis];
+            double pivot = segment.pivot[axis];
             size += 2 * Math.max(Math.abs(bounds[axis] - pivot), Math.abs(bounds[3 + axis] - pivot));
         }
         // Any two directions that complete the normal: a wall as large as all that the mover may reach.
@@ -268,7 +268,7 @@ final class ClearanceSearch {
         double ux = isSteep ? 0 : -nz / length;
         double uy = isSteep ? nz / length : 0;
         double uz = isSteep ? -ny / length : nx / length;
-        double back = level - size - (nx * segment.start[0] + ny * segment.start[1] + nz * segment.start[2]);
+        double back = level - size - (nx * segment.pivot[0] + ny * segment.pivot[1] + nz * segment.pivot[2]);
         wall.clear();
         wall.append(1);
         wall.setKind(0, LeafKind.BOX);
@@ -276,9 +276,9 @@ final class ClearanceSearch {
         axis(1, ux, uy, uz, size);
         axis(2, ny * uz - nz * uy, nz * ux - nx * uz, nx * uy - ny * ux, size);
         double[] row = wall.rows();
-        row[0] = segment.start[0] + back * nx;
-        row[1] = segment.start[1] + back * ny;
-        row[2] = segment.start[2] + back * nz;
+        row[0] = segment.pivot[0] + back * nx;
+        row[1] = segment.pivot[1] + back * ny;
+        row[2] = segment.pivot[2] + back * nz;
         return pairs.free(k, wall);
     }
 

@@ -12,6 +12,7 @@ import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.Twist;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
@@ -217,6 +218,54 @@ public final class Motion {
         return attempt(move.x(), move.y(), move.z(), move.rx(), move.ry(), false);
     }
 
+    /** Refuses a motion with a twist that {@link #attemptTwist} does not sweep. */
+    public void checkTwist(AccuracyView inView, int mover, Twist twist, double seconds) {
+        double[] places = objects.places();
+        int at = objects.place(mover);
+        if (!(seconds >= 0 && seconds < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException("seconds must be a time of at least 0 (got: " + seconds + ")");
+        }
+        twist.check(seconds, places[at], places[at + 1], places[at + 2]);
+        boolean isPlanar =
+                inView.dimension == Dimension.PLANAR && Attitude.isUpright(places, at + ObjectTable.ROTATION);
+        if (twist.ry() != 0 && twist.y() != 0 && !isPlanar) {
+            throw new IllegalArgumentException(
+                    "y of a twist that turns must be 0; driveFractions measures a helix (got: " + twist + ")");
+        }
+    }
+
+    /** Tries a motion with a constant twist, which must not turn and climb at once where heights count. */
+    public boolean attemptTwist(AccuracyView inView, int mover, Twist twist, double seconds, double gap) {
+        begin(inView, mover, gap, true);
+        if (isFree(segment.set(twist, seconds))) {
+            return true;
+        }
+        fraction = share;
+        turnFraction = share;
+        return false;
+    }
+
+    /** Whether the arc that was tried last is so wide that its sweep as a turn resolves little beside the object's size. */
+    boolean isWide() {
+        return segment.isWide();
+    }
+
+    /**
+     * Goes on from the place that is known to be free after a share of a motion with a twist, for the rest of its time; if that
+     * is blocked, the motion ends at that place.
+     */
+    boolean attemptRest(
+            AccuracyView inView, int mover, double[] place, Twist twist, double seconds, double gap, double free) {
+        begin(inView, mover, gap, true, place, 0);
+        if (isFree(segment.set(twist, seconds * (1 - free)))) {
+            return true;
+        }
+        segment.endAt(0);
+        fraction = free;
+        turnFraction = free;
+        return false;
+    }
+
     /** Turns about the object's own axes through its centre. */
     boolean attemptTurns(AccuracyView inView, int mover, double turnX, double turnY, double gap) {
         begin(inView, mover, gap, true);
@@ -341,7 +390,12 @@ public final class Motion {
 
     /** Sweeps the next segment; where it is free, its end is the next one's start. */
     private boolean isFree(double x, double y, double z, int about, double byDegrees) {
-        if (!segment.set(x, y, z, about, byDegrees)) {
+        return isFree(segment.set(x, y, z, about, byDegrees));
+    }
+
+    /** The same for a segment that has been set; whether it goes anywhere. */
+    private boolean isFree(boolean isGoing) {
+        if (!isGoing) {
             segment.advance();
             return true;
         }
@@ -356,10 +410,7 @@ public final class Motion {
             shapes.begin(registry.at(Accuracy.EXACT), id, clearance, isEndWanted, segment.start, 0);
             shapes.isSecondTurn = isSecondTurn;
             shapes.isBesideBlocker = isBesideBlocker;
-            if (segment.isOwn()) {
-                shapes.segment.takeOwnAxes();
-            }
-            shapes.segment.set(x, y, z, about, byDegrees);
+            shapes.segment.set(segment);
             free &= shapes.isSegmentFree(free ? 1 : share + LATER);
             if (!free && isEndWanted) {
                 takeLesser(shapes);
@@ -553,7 +604,7 @@ public final class Motion {
         if (least == 0 || (segment.turns() && isSureTurn())) {
             return least;
         }
-        if (!segment.turns() && of != BORDER && isExact(of) && gapAfter(of, 0, 0) > 0) {
+        if (!segment.turns() && !segment.isArc() && of != BORDER && isExact(of) && gapAfter(of, 0, 0) > 0) {
             double apart = apart(of, least);
             if (apart >= 0) {
                 return apart;
@@ -666,7 +717,7 @@ public final class Motion {
         if (segment.turns()) {
             return isSureTurn();
         }
-        if (stands()) {
+        if (segment.isArc() || stands()) {
             return false; // a path along what is touched depends on its rounding
         }
         for (int k = 0; k < candidates.count(); k++) {
@@ -683,12 +734,14 @@ public final class Motion {
 
     /** By what share a blocked segment is taken back, so that it can be asked again with what a caller's rounding makes of it. */
     private double margin() {
-        return segment.turns() ? ROUNDED_HEADING / segment.angle() : ROUNDED * size() / length();
+        double ofTurn = segment.turns() ? ROUNDED_HEADING / segment.angle() : 0;
+        return !segment.turns() || segment.isArc() ? ofTurn + ROUNDED * size() / length() : ofTurn;
     }
 
     /** Whether a turn that a share of this one is may be used as it is: its sweep takes the same steps, up to there. */
     private boolean isSureTurn() {
         return segment.isRigid()
+                && !segment.isArc()
                 && !standing.spares()
                 && worldBounds.clearlyHolds(box)
                 && segment.angle() > LEAST_ANGLE;

@@ -1,10 +1,13 @@
 package robosim.geometry.engine.motion;
 
 import java.util.Arrays;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.VectorMath;
@@ -12,14 +15,15 @@ import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.Twist;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
- * One segment of a motion: a straight translation, or a turn about an axis through the centre. It knows where the object
- * starts, where it is after a share of the segment, and what box holds it all the way.
+ * One segment of a motion: a straight translation, a turn about an axis through the centre, or a {@link Twist}, which is swept
+ * as a turn about the centre of its arc. It knows where the object starts, where it is after a share of the segment, and what box holds it all the way.
  */
 public final class MotionSegment {
     /** What a segment turns about: nothing, the own X, the own Y, the vertical or the world's X. */
@@ -46,6 +50,12 @@ public final class MotionSegment {
 
     /** More than a sweep of the objects themselves may stop early, as a share of their coordinates; see docs/numerics.md. */
     static final double EARLY = 0x1p-19;
+
+    /** An arc of fewer radians is swept as a translation: no point of it is off by more than a path is by rounding. */
+    private static final double STRAIGHT = 0x1p-48;
+
+    /** An arc of a larger radius, in sizes of the object, is wide. */
+    private static final double WIDE = 16;
 
     private static final int PLACE = ObjectTable.PLACE;
 
@@ -94,6 +104,19 @@ public final class MotionSegment {
     /** By what share the segment that was set has been scaled. */
     private double scaled;
 
+    /** What turns while it translates, and for how long; null for other segments. */
+    private @Nullable Twist twist;
+
+    private double seconds;
+
+    /** What a turn is about: the centre at the start, or that of the arc of a twist. */
+    final double[] pivot = new double[3];
+
+    /** The pose at the origin, from which a twist leads to {@link #chord}. */
+    private final double[] origin = new double[PLACE];
+
+    private final double[] chord = new double[PLACE];
+
     /** The displacement of the segment along the world's axes, and that of a share of it. */
     private final double[] whole = new double[3];
 
@@ -105,11 +128,13 @@ public final class MotionSegment {
     MotionSegment(Scratch scratch) {
         sweep = new Sweep(scratch);
         work = scratch.work;
+        Attitude.setHeading(origin, 3, 0, 0);
     }
 
     /** Starts a motion of an object from its place. */
     void begin(AccuracyView inView, int mover, double[] places, int at) {
         isOwn = false;
+        twist = null;
         view = inView;
         form = inView.form(mover);
         System.arraycopy(places, at, start, 0, PLACE);
@@ -130,11 +155,66 @@ public final class MotionSegment {
         givenZ = z;
         axis = about;
         givenDegrees = byDegrees;
+        return set();
+    }
+
+    /** Sets the only segment of a motion with a constant twist. */
+    boolean set(Twist velocity, double time) {
+        twist = velocity;
+        seconds = time;
+        boolean isInPlace = velocity.x() == 0 && velocity.z() == 0;
+        double angle = Degrees.toRadians(Math.abs(velocity.ry() * time));
+        axis = angle > (isInPlace ? 0 : STRAIGHT) ? OWN_Y : NO_TURN;
+        return set();
+    }
+
+    /** Sets the segment that another one is, from the same start. */
+    void set(MotionSegment other) {
+        givenX = other.givenX;
+        givenY = other.givenY;
+        givenZ = other.givenZ;
+        givenDegrees = other.givenDegrees;
+        axis = other.axis;
+        isOwn = other.isOwn;
+        twist = other.twist;
+        seconds = other.seconds;
+        set();
+    }
+
+    private boolean set() {
+        System.arraycopy(start, 0, pivot, 0, 3);
+        if (isArc() && turns()) {
+            // The velocity at the centre is square to the line from the pivot: in the own frame that is at (z, -x) over
+            // the speed
+            // of turning.
+            double spin = Degrees.toRadians(twist().ry());
+            double ahead = twist().z() / spin;
+            double aside = -twist().x() / spin;
+            for (int along = 0; along < 3; along++) {
+                pivot[along] += start[3 + 3 * along] * ahead + start[5 + 3 * along] * aside;
+            }
+        }
         if (!scale(1)) {
             return false;
         }
         form.place(view.dimension, start[0], start[1], start[2], start, 3, atStart, 0);
         return true;
+    }
+
+    /** Whether the segment turns while it translates. */
+    boolean isArc() {
+        return twist != null && (twist.x() != 0 || twist.z() != 0) && twist.ry() * seconds != 0;
+    }
+
+    /** Whether the centre of an arc is so far away that its sweep resolves little beside the size of the object. */
+    boolean isWide() {
+        atStart.bounds(0, atStart.size(), part);
+        double radius = VectorMath.anyLength(pivot[0] - start[0], pivot[1] - start[1], pivot[2] - start[2]);
+        return radius > WIDE * (part[3] - part[0] + part[4] - part[1] + part[5] - part[2]);
+    }
+
+    private Twist twist() {
+        return Objects.requireNonNull(twist);
     }
 
     /**
@@ -143,7 +223,7 @@ public final class MotionSegment {
      */
     boolean scale(double share) {
         scaled = share;
-        degrees = share * givenDegrees;
+        degrees = twist == null ? share * givenDegrees : twist.ry() * (share * seconds);
         sweptScale = Double.NaN;
         probed = Double.NaN;
         placeAt(1, end);
@@ -166,6 +246,7 @@ public final class MotionSegment {
         givenZ = 0;
         givenDegrees = 0;
         axis = NO_TURN;
+        twist = null;
         scale(1);
         form.place(view.dimension, start[0], start[1], start[2], start, 3, atStart, 0);
         sweptScale = Double.NaN;
@@ -183,9 +264,9 @@ public final class MotionSegment {
         return more * radius * Math.abs(degrees) * (Math.PI / 180);
     }
 
-    /** How far the bounds in {@link #part} extend along an axis from the centre at the start. */
+    /** How far the bounds in {@link #part} extend along an axis from the pivot. */
     private double farthest(int along) {
-        return Math.max(Math.abs(part[along] - start[along]), Math.abs(part[3 + along] - start[along]));
+        return Math.max(Math.abs(part[along] - pivot[along]), Math.abs(part[3 + along] - pivot[along]));
     }
 
     /** The sum of the magnitudes of the bounds at the start, to which rounding is proportional; of heights if they count. */
@@ -196,11 +277,6 @@ public final class MotionSegment {
             size += Math.abs(part[along]) + Math.abs(part[3 + along]);
         }
         return size;
-    }
-
-    /** Whether translations are along the object's own axes. */
-    boolean isOwn() {
-        return isOwn;
     }
 
     /** From now on translations are along the axes of the object as it stands at the start. */
@@ -226,7 +302,7 @@ public final class MotionSegment {
         advance(place, 1, way[1]);
         advance(place, 2, way[2]);
         double by = share * degrees;
-        switch (axis) {
+        switch (twist == null ? axis : OWN_Y) {
             case OWN_X -> Attitude.turn(place, 3, by, 0);
             case OWN_Y -> Attitude.turn(place, 3, 0, by);
             case VERTICAL -> Attitude.turnVertically(place, 3, by);
@@ -237,9 +313,15 @@ public final class MotionSegment {
 
     /** Finds the {@link #way} for a share of the segment, along the world's axes as {@code ObjectTable.toWorld} does. */
     private void toWorld(double share) {
-        double x = share * (scaled * givenX);
-        double y = share * (scaled * givenY);
-        double z = share * (scaled * givenZ);
+        if (twist != null) {
+            twist.after(origin, 0, share * (scaled * seconds), chord);
+            toWorld(chord[0], chord[1], chord[2], true);
+        } else {
+            toWorld(share * (scaled * givenX), share * (scaled * givenY), share * (scaled * givenZ), isOwn);
+        }
+    }
+
+    private void toWorld(double x, double y, double z, boolean isOwn) {
         way[0] = isOwn ? start[3] * x + start[4] * y + start[5] * z : x;
         way[1] = isOwn ? start[6] * x + start[7] * y + start[8] * z : y;
         way[2] = isOwn ? start[9] * x + start[10] * y + start[11] * z : z;
@@ -263,7 +345,7 @@ public final class MotionSegment {
         int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
         boolean isOwn = axis == OWN_X || axis == OWN_Y;
         sweep.turn(view.dimension)
-                .about(start[0], start[1], start[2])
+                .about(pivot[0], pivot[1], pivot[2])
                 .by(
                         isOwn ? start[column] : axis == WORLD_X ? 1 : 0,
                         isOwn ? start[column + 3] : axis == WORLD_X ? 0 : 1,
@@ -372,9 +454,9 @@ public final class MotionSegment {
         early = EARLY * size(out);
     }
 
-    /** The sum of the magnitudes of the bounds of a box and of the centre at the start. */
+    /** The sum of the magnitudes of the bounds of a box and of the pivot. */
     private double size(double[] box) {
-        double size = Math.abs(start[0]) + Math.abs(start[1]) + Math.abs(start[2]);
+        double size = Math.abs(pivot[0]) + Math.abs(pivot[1]) + Math.abs(pivot[2]);
         for (double bound : box) {
             size += Math.abs(bound);
         }

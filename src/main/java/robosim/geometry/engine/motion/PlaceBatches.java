@@ -3,6 +3,7 @@ package robosim.geometry.engine.motion;
 import robosim.geometry.check.Checks;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Twist;
 
 /**
@@ -22,6 +23,7 @@ public final class PlaceBatches {
     private final ClearanceQuery clearance;
     private final DriveSweep drive;
     private final double[] displacement = new double[3];
+    private final double[] place = new double[ObjectTable.PLACE];
 
     public PlaceBatches(ObjectRegistry registry, Motion motion, FreePlaces places, ClearanceQuery clearance) {
         this.registry = registry;
@@ -127,6 +129,26 @@ public final class PlaceBatches {
             free += out[k] == 1 ? 1 : 0;
         }
         return free;
+    }
+
+    /**
+     * Tries a motion with a constant twist from the object's own place. The sweep of a turn resolves a share of the radius of
+     * the arc. So a wide one that it refuses is also measured like a drive, and goes on from where that ends.
+     */
+    public boolean attemptTwist(AccuracyView view, int id, Twist twist, double seconds, double gap) {
+        if (motion.attemptTwist(view, id, twist, seconds, gap)) {
+            return true;
+        }
+        if (!motion.isWide()) {
+            return false;
+        }
+        System.arraycopy(registry.objects.places(), registry.objects.place(id), place, 0, place.length);
+        double free = drive.share(view, id, place, twist, seconds, gap);
+        if (free <= motion.fraction()) {
+            return false;
+        }
+        twist.after(place, 0, free * seconds, place);
+        return motion.attemptRest(view, id, place, twist, seconds, gap, free);
     }
 
     /** Whether the object was free at the first pose of the last edge. */

@@ -1,5 +1,6 @@
 package robosim.geometry.net.session;
 
+import robosim.geometry.Avoidance;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.SenseBuffer.Extra;
@@ -12,6 +13,8 @@ import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.MeasureRequest;
+import robosim.geometry.protocol.batch.MeasureRequest.Question;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.PictureRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
@@ -43,6 +46,9 @@ public final class Batches {
         }
         if (request instanceof PictureRequest picture) {
             return pictures.take(world, picture, breath);
+        }
+        if (request instanceof MeasureRequest measure) {
+            return measure(world, measure, breath);
         }
         boolean isPoses = request instanceof FreePosesRequest;
         Numbers places = isPoses ? ((FreePosesRequest) request).poses() : ((FreeEdgesRequest) request).edges();
@@ -166,5 +172,32 @@ public final class Batches {
             free[first / PART] = word[0];
         }
         return FreeAnswer.of(size, free);
+    }
+
+    private static MeasureRequest.Answer measure(Geometry world, MeasureRequest request, Runnable breath) {
+        Question question = request.question();
+        Avoidance avoid = Avoidance.margin(request.margin()).andIgnoring(request.ignored());
+        int size = request.size();
+        double[] numbers = new double[question.answered * size];
+        for (int first = 0; first < size; first += PART) {
+            breath.run();
+            int count = Math.min(PART, size - first);
+            double[] given = new double[question.given * count];
+            double[] found = new double[question.answered * count];
+            request.numbers().copy(question.given * first, given.length, given);
+            for (int k = 0; k < given.length; k++) {
+                int of = k % question.given;
+                // The heading of each pose, and a drive's speed of turning.
+                given[k] = of == 3 || of == 7 ? Degrees.toDegrees(given[k]) : given[k];
+            }
+            String name = request.objectName();
+            switch (question) {
+                case DISTANCES, CLEARANCES -> world.clearances(name, given, request.max(), avoid, found);
+                case EDGES -> world.edgeFractions(name, given, avoid, found);
+                case DRIVES -> world.driveFractions(name, given, avoid, found);
+            }
+            System.arraycopy(found, 0, numbers, question.answered * first, found.length);
+        }
+        return new MeasureRequest.Answer(new Numbers(numbers));
     }
 }

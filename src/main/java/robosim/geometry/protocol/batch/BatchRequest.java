@@ -4,7 +4,13 @@ import java.io.Serializable;
 
 /** One request of a batch. */
 public sealed interface BatchRequest extends Serializable
-        permits SenseRequest, FreePosesRequest, FreeEdgesRequest, PictureRequest, WorldRequest, CopyRequest {
+        permits SenseRequest,
+                FreePosesRequest,
+                FreeEdgesRequest,
+                MeasureRequest,
+                PictureRequest,
+                WorldRequest,
+                CopyRequest {
     /**
      * The name of the object that it is about; empty if that has none, if there is no such object, and for a sensor or a
      * camera that nothing carries.

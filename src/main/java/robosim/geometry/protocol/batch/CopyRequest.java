@@ -69,7 +69,7 @@ public sealed interface CopyRequest extends BatchRequest {
         /** Refuses null, too many bodies or sensors, numbers that are out of range, and sensors that want more than distances. */
         public Tick {
             Checks.present("objectName", objectName);
-            Places.check("commands", Checks.present("commands", commands), STRIDE);
+            FreePosesRequest.check("commands", Checks.present("commands", commands), STRIDE);
             bodies = Checks.copy("bodies", bodies, String.class);
             senses = Checks.copy("senses", senses, SenseRequest.class);
             int copies = commands.size() / STRIDE;

@@ -21,7 +21,7 @@ public record FreeEdgesRequest(String objectName, Numbers edges) implements Batc
     /** Refuses null, a number of numbers that is no multiple of 8, and numbers that are NaN or beyond 2<sup>100</sup>. */
     public FreeEdgesRequest {
         Checks.present("objectName", objectName);
-        Places.check("edges", Checks.present("edges", edges), STRIDE);
+        FreePosesRequest.check("edges", Checks.present("edges", edges), STRIDE);
     }
 
     @Override

@@ -20,7 +20,7 @@ public record FreePosesRequest(String objectName, Numbers poses) implements Batc
     /** Refuses null, a number of numbers that is no multiple of 4, and numbers that are NaN or beyond 2<sup>100</sup>. */
     public FreePosesRequest {
         Checks.present("objectName", objectName);
-        Places.check("poses", Checks.present("poses", poses), STRIDE);
+        check("poses", Checks.present("poses", poses), STRIDE);
     }
 
     @Override
@@ -31,5 +31,26 @@ public record FreePosesRequest(String objectName, Numbers poses) implements Batc
     @Override
     public int size() {
         return poses.size() / STRIDE;
+    }
+
+    /** Checks the numbers of poses, so many of them for each question. */
+    static void check(String argument, Numbers numbers, int stride) {
+        if (numbers.size() % stride != 0) {
+            throw new IllegalArgumentException(
+                    argument + " must have " + stride + " numbers each (got: " + numbers.size() + " numbers)");
+        }
+        for (int k = 0; k < numbers.size(); k++) {
+            if (!(Math.abs(numbers.get(k)) <= Checks.LIMIT)) {
+                refuse(argument + "[" + k + "]", numbers.get(k), k % STRIDE == STRIDE - 1);
+            }
+        }
+    }
+
+    private static void refuse(String argument, double number, boolean isHeading) {
+        if (isHeading) {
+            Checks.radians(argument, number);
+        } else {
+            Checks.coordinate(argument, number);
+        }
     }
 }

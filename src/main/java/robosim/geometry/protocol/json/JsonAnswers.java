@@ -12,6 +12,7 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.FreeAnswer;
 import robosim.geometry.protocol.batch.Integers;
 import robosim.geometry.protocol.batch.ListedObject;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
@@ -49,8 +50,11 @@ final class JsonAnswers {
             .form("obstacles", JsonForm.list(OBSTACLE, WorldAnswer.Identified.MOST_OBSTACLES));
 
     /** Answers, and {@link Failed}. */
+    private static final int MEASURED = MeasureRequest.Question.CLEARANCES.answered * MessageLimits.MAX_POSES;
+
     private static final JsonKinds<Object> ANSWER = JsonKinds.untagged(
             "an answer must have distances, perhaps with normals and with names, objects and labels, or count and free,"
+                    + " or numbers,"
                     + " or width, height and rgb, or the fields of an answer about the world, or an error (got: other"
                     + " fields)",
             JsonKinds.kind(
@@ -71,14 +75,14 @@ final class JsonAnswers {
                     JsonObject.of(FreeAnswer.class)
                             .form("count", JsonForm.whole(0, MessageLimits.MAX_POSES))
                             .form("free", JsonForm.bytes(1, MessageLimits.MAX_POSES / 8))),
+            JsonKinds.kind("", JsonObject.of(MeasureRequest.Answer.class).form("numbers", JsonForm.packed(1, MEASURED))),
             JsonKinds.kind(
                     "",
                     JsonObject.of(WorldAnswer.Described.class)
                             .form(
                                     "leftOut",
-                                    JsonForm.list(JsonObject.of(WorldAnswer.LeftOut.class)
-                                            .form("index", JsonForm.whole(0, MessageLimits.MAX_LIST_LENGTH))
-                                            .omitting("", "name")))),
+                                    JsonForm.list(
+                                            JsonObject.of(WorldAnswer.LeftOut.class).omitting("", "name")))),
             JsonKinds.kind("", JsonObject.of(WorldAnswer.Located.class).form("rotation", JsonForm.ROTATION)),
             JsonKinds.kind("", CHANGED),
             JsonKinds.kind("", JsonAnswers::isMade, MADE),

@@ -15,6 +15,7 @@ import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.CopyRequest;
 import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.PictureRequest;
@@ -26,6 +27,8 @@ import robosim.geometry.protocol.batch.WorldRequest;
 /** Requests of a batch as JSON. */
 final class JsonBatches {
     private static final JsonForm<Integer> COUNT = JsonForm.whole(1, RayPattern.MAX_SIZE);
+
+    private static final int DRIVES = MeasureRequest.Question.DRIVES.given;
 
     private static final JsonForm<Numbers> ELEVATIONS =
             JsonForm.doubles(MessageLimits.MAX_BEAMS).as(Numbers::new, Numbers::values);
@@ -113,6 +116,14 @@ final class JsonBatches {
                     "edges",
                     JsonObject.of(FreeEdgesRequest.class)
                             .form("edges", JsonForm.packed(FreeEdgesRequest.STRIDE, MessageLimits.MAX_POSES))),
+            JsonKinds.kind(
+                    "measure",
+                    JsonObject.of(MeasureRequest.class)
+                            .form("numbers", JsonForm.packed(1, DRIVES * MessageLimits.MAX_POSES))
+                            .form("max", JsonForm.RANGE)
+                            .optional(Double.POSITIVE_INFINITY, "max")
+                            .optional(0.0, "margin")
+                            .omitting(List.of(), "ignored")),
             JsonKinds.kind("picture", PictureRequest.class, PICTURE),
             JsonKinds.kind("world", JsonObject.of(WorldRequest.Describe.class)),
             JsonKinds.kind("pose", JsonObject.of(WorldRequest.Locate.class)),
