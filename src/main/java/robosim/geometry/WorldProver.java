@@ -215,6 +215,31 @@ public final class WorldProver {
         return prover.cone(ray.start(), ray.direction(), cosine, Claim.ALL, Math.min(distance, max), Claim.ALL);
     }
 
+    /**
+     * Proves what {@link Geometry#getSonarDistance(String, double, double, double, double, double)} returns with a blind range of
+     * 0: of a line what it hits first, of a wider beam that nothing is nearer.
+     *
+     * @param x     part of the direction along the object's own X
+     * @param z     part along its own Z
+     * @param max   a range, world units; finite if nothing is detected
+     * @param width full opening angle in degrees, from 0 up to, not including, 180
+     */
+    public Attempt sonar(String name, double x, double z, double max, double width) {
+        int self = begin(name);
+        int id = world.mover(name);
+        double distance = world.beams.sonar(world.view, id, x, z, 0, max, width);
+        int hit = world.beams.hit();
+        world.objects.toWorld(id, x, 0, z, vector);
+        Point direction = new Point(vector[0], vector[1], vector[2]);
+        Point start = present(name).center();
+        if (width > 0) {
+            return prover.cone(start, direction, Degrees.cos(width / 2), self, Math.min(distance, max), Claim.ALL);
+        }
+        return distance == Double.POSITIVE_INFINITY
+                ? prover.ray(start, direction, self, max, Claim.ALL)
+                : prover.ray(start, direction, self, distance, index(world.objects.present(hit)));
+    }
+
     /** Takes the world as it is now; the index of an object. */
     private int begin(@Nullable String name) {
         if (world.accuracy() != Accuracy.EXACT) {

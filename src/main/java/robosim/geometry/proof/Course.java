@@ -78,7 +78,9 @@ final class Course {
             double[] x = {corner[0] - pivot[0], corner[1] - pivot[1], corner[2] - pivot[2]};
             most = Math.max(most, sinusoid(x, n, turned, length, 1));
         }
-        double round = row.length == 17 ? Rows.round(row, n, along(i, n, from, to)) : 0;
+        double round = row.length == 9
+                ? 0
+                : isTurningDisc(row) ? Rows.round(row, n, along(i, n, from, to)) : Rows.round(row, n);
         return most + Rows.product(n, pivot) + round;
     }
 
@@ -89,8 +91,7 @@ final class Course {
             return 0;
         }
         double[] up = {row[4], row[7], row[10]};
-        double[] across = Rows.cross(up, axis);
-        if (across[0] == 0 && across[1] == 0 && across[2] == 0) {
+        if (!isTurningDisc(row)) {
             return Rows.product(up, n);
         }
         double length = Rows.length(axis);
@@ -99,6 +100,12 @@ final class Course {
         double low = -sinusoid(up, n, turned, length, -1);
         double spare = 0x1p-45;
         return low > spare ? low - spare : high < -spare ? high + spare : 0;
+    }
+
+    /** Whether it is a disc whose axis turns. */
+    private boolean isTurningDisc(double[] row) {
+        double[] across = Rows.cross(new double[] {row[4], row[7], row[10]}, axis);
+        return row[15] > 0 && (across[0] != 0 || across[1] != 0 || across[2] != 0);
     }
 
     /** The largest of the product of a normal, times a sign, with a vector that turns. */

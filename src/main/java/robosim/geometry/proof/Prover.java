@@ -26,6 +26,12 @@ public final class Prover {
     /** The same where rims pass each other, whose planes are hard to find. */
     private static final double WIDE_BRACKET = 0x1p-24;
 
+    /** What a parameter may be, which is kept as a coordinate is. */
+    private static final double LARGEST = 0x1p100;
+
+    /** A shorter direction has a square that is rounded to few digits, or to none. */
+    private static final double SMALLEST = 0x1p-480;
+
     private final Scene scene;
     private final SceneRows rows;
     private final boolean isFlat;
@@ -141,6 +147,10 @@ public final class Prover {
         Claim.Ray claim = new Claim.Ray(start, direction, self, low, high, other);
         if (low == Double.POSITIVE_INFINITY) {
             return Attempt.failed(claim, "a proof needs a finite range");
+        }
+        double most = other == Claim.ALL ? low : high;
+        if (!(most / length <= LARGEST) || !(length >= SMALLEST)) {
+            return Attempt.failed(claim, "the direction is too short for a proof, or the range too long");
         }
         double[] point = {start.x(), start.y(), start.z(), 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0};
         Course course = Course.along(new double[][] {point}, way, reach);

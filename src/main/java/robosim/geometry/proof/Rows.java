@@ -8,6 +8,9 @@ final class Rows {
     /** More than the rounding of any of these sums, of the magnitudes of their terms. */
     static final double ROUNDING = 64 * 0x1p-53;
 
+    /** More than the rounding of a difference of squares, of their size: its root is larger by the root of this where it is 0. */
+    private static final double SQUARES = 0x1p-50;
+
     private Rows() {}
 
     static boolean isTriangle(double[] row) {
@@ -32,18 +35,24 @@ final class Rows {
         for (int k = 0; k < 3; k++) {
             most += row[12 + k] == 0 ? 0 : row[12 + k] * Math.abs(alongAxis(row, k, n));
         }
-        return most + round(row, n, alongAxis(row, 1, n));
+        return most + round(row, n);
     }
 
-    static double round(double[] row, double[] n, double along) {
-        double nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    /** How much a disc or a ball adds. */
+    static double round(double[] row, double[] n) {
         if (row[15] > 0) {
-            double aa = row[4] * row[4] + row[7] * row[7] + row[10] * row[10];
-            // A difference of squares whose rounding the root makes larger; factors keep it small.
-            double length = Math.sqrt(nn * aa);
-            return row[15] * Math.sqrt(Math.max(0, (length - along) * (length + along)) / aa);
+            // Not a difference of squares: the root would make its rounding larger where the normal is nearly the axis.
+            double[] up = {row[4], row[7], row[10]};
+            return row[15] * length(cross(n, up)) / length(up);
         }
-        return row[16] > 0 ? row[16] * Math.sqrt(nn) : 0;
+        return row[16] > 0 ? row[16] * length(n) : 0;
+    }
+
+    /** The same, or slightly more, of a disc that turns, whose axis has at least this product with the normal. */
+    static double round(double[] row, double[] n, double along) {
+        double[] up = {row[4], row[7], row[10]};
+        double square = product(n, n) * product(up, up);
+        return row[15] * Math.sqrt(Math.max(0, square - along * along) + SQUARES * square) / length(up);
     }
 
     /** Writes a point of a piece with the largest product with a normal of length 1. */

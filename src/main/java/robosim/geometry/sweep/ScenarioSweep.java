@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -94,6 +95,8 @@ public final class ScenarioSweep implements SweepScenario {
     /** The recorded answers; null if unknown. */
     private final ArrayList<@Nullable Bundle> answers = new ArrayList<>();
 
+    private Function<String, SessionListener> listeners = session -> SessionListener.NONE;
+
     private ScenarioSweep(String name, SessionOptions options, InitBundle init) {
         this.name = Names.check("name of a scenario", name);
         this.dimension = options.dimension();
@@ -170,14 +173,28 @@ public final class ScenarioSweep implements SweepScenario {
             throw new IllegalArgumentException("goal must be at finite x and z, with a finite radius above 0 (got: " + x
                     + ", " + z + ", radius " + radius + ")");
         }
+        ScenarioSweep sweep = copy();
+        sweep.goals.add(new RobotArrivals.Goal(robot, x, z, radius));
+        sweep.print =
+                new Fingerprint().add(print).add(sweep.goals.toString()).hex().substring(0, print.length());
+        return sweep;
+    }
+
+    private ScenarioSweep copy() {
         ScenarioSweep sweep = new ScenarioSweep(name, options(), init);
         sweep.requests.addAll(requests);
         sweep.answers.addAll(answers);
         sweep.movers.addAll(movers);
         sweep.goals.addAll(goals);
-        sweep.goals.add(new RobotArrivals.Goal(robot, x, z, radius));
-        sweep.print =
-                new Fingerprint().add(print).add(sweep.goals.toString()).hex().substring(0, print.length());
+        sweep.print = print;
+        sweep.listeners = listeners;
+        return sweep;
+    }
+
+    /** This sweep with a listener for each replicate, such as {@link robosim.geometry.scenario.AnswerProofs}; results stay the same. */
+    public ScenarioSweep heardBy(Function<String, SessionListener> other) {
+        ScenarioSweep sweep = copy();
+        sweep.listeners = Checks.present("listeners", other);
         return sweep;
     }
 
@@ -263,7 +280,8 @@ public final class ScenarioSweep implements SweepScenario {
         return new SweepWorld(other.name(), world.snapshot());
     }
 
-    private SessionOptions options() {
+    /** The options of the sessions. */
+    public SessionOptions options() {
         return new SessionOptions(dimension, accuracy, beam);
     }
 
@@ -276,7 +294,8 @@ public final class ScenarioSweep implements SweepScenario {
         int stuck = place == 0 && heading == 0 ? 0 : scatter(replicate.world(), random.nextLong(), place, heading);
         Noise errors =
                 new Noise(noise, amount(replicate, SLIP), amount(replicate, AIM), amount(replicate, RANGE), beam);
-        Replay replay = new Replay(replicate.world(), options(), SessionListener.NONE);
+        Replay replay =
+                new Replay(replicate.world(), options(), listeners.apply(replicate.seed() + " " + replicate.number()));
         ScenarioTally tally = new ScenarioTally();
         RobotArrivals journey = new RobotArrivals(
                 replicate.world(), movers, goals, requests.stream().anyMatch(each -> each instanceof StepBundle));

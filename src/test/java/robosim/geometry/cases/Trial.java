@@ -16,6 +16,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.Gaps;
 
 /** Asks the module the questions of a case in all their variants, and holds each answer against the truth. */
@@ -24,6 +25,7 @@ public final class Trial {
 
     private final HardCase hard;
     private final List<Finding> findings = new ArrayList<>();
+    private final Witnesses witnesses;
 
     /** Of the questions as given. */
     private final Map<String, Object> truths = new HashMap<>();
@@ -33,6 +35,7 @@ public final class Trial {
 
     private Trial(HardCase hard) {
         this.hard = hard;
+        witnesses = new Witnesses(hard.id().hashCode());
     }
 
     /** All findings about a case. */
@@ -149,10 +152,18 @@ public final class Trial {
         // The points of contacts are held against the reference where something is rounded anew.
         boolean points = !variant.isScaled() && !variant.swapped();
         String complaint = Contacts.complaint(a, b, variant.dimension(), truth, points);
+        String wrongProof = witnesses.overlap(a, b, variant.dimension(), collides, true);
         String ours = !complaint.isEmpty()
                 ? complaint
-                : !same ? "its own ways to ask disagree" : collides ? "collide" : "apart";
-        find(index, variant, truth ? "collide" : "apart", ours, complaint.isEmpty() && same && collides == truth);
+                : wrongProof != null
+                        ? wrongProof
+                        : !same ? "its own ways to ask disagree" : collides ? "collide" : "apart";
+        find(
+                index,
+                variant,
+                truth ? "collide" : "apart",
+                ours,
+                complaint.isEmpty() && wrongProof == null && same && collides == truth);
     }
 
     private void beam(int index, HardCase.Beam question, Variant variant, Map<Dimension, Double> given) {
@@ -189,7 +200,21 @@ public final class Trial {
             right = (off <= (question.width() == 0 ? 4 : 8) * Math.ulp(size) || bracket)
                     && (answer.signum() != 0 || ours == 0);
         }
-        find(index, variant, truth, text(ours), right && scales(variant, ours, given));
+        String wrongProof = question.width() == 0 && objects.size() == 1
+                ? witnesses.ray(
+                        numbers(ray.start()), numbers(ray.direction()), objects.get(0), variant.dimension(), ours)
+                : null;
+        right &= wrongProof == null;
+        find(
+                index,
+                variant,
+                truth,
+                wrongProof == null ? text(ours) : wrongProof,
+                right && scales(variant, ours, given));
+    }
+
+    private static double[] numbers(Point p) {
+        return new double[] {p.x(), p.y(), p.z()};
     }
 
     /** Times a power of two, an answer is the same bits times that power. */

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
+import robosim.geometry.proof.Witnesses;
 
 /**
  * A census of regimes: each kernel against a slow twin, two-sided, with no regime that only a few cases fall into.
@@ -81,6 +82,9 @@ class CensusTest {
                 .flatMap(count -> count.rows.values().stream())
                 .mapToLong(row -> row.wrong)
                 .sum();
+        Witnesses.Counts proofs = counts.stream()
+                .map(count -> count.witnesses.counts())
+                .reduce(Witnesses.Counts.NONE, Witnesses.Counts::plus);
         return String.format(Locale.ROOT, """
                         # A census of regimes
 
@@ -99,7 +103,10 @@ class CensusTest {
                         either side, *width* the widest bracket that the kernel itself tells, each as a share of the documented
                         bound: above 1 the claim is broken. Where all three are 0 the question is a verdict, or the answer is exact.
 
-                        """, LEAST, SEED, cases, wrong) + table(counts);
+                        Of a share of the answers [proofs](../proofs.md) were sought and checked, of all with `-Dtest.proofs=1`:
+                        %s.
+
+                        """, LEAST, SEED, cases, wrong, proofs) + table(counts);
     }
 
     private static String table(List<Count> counts) {

@@ -5,6 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.proof.Witnesses;
 
 /** What came of one kernel's cases, by regime. */
 final class Count {
@@ -23,9 +25,11 @@ final class Count {
     final Kernel kernel;
     final Map<String, Row> rows = new LinkedHashMap<>();
     final List<String> failures = new ArrayList<>();
+    final Witnesses witnesses;
 
-    private Count(Kernel kernel) {
+    private Count(Kernel kernel, long seed) {
         this.kernel = kernel;
+        witnesses = new Witnesses(seed);
         for (String regime : kernel.regimes()) {
             if (rows.put(regime, new Row()) != null) {
                 throw new IllegalArgumentException("two regimes of one name (got: " + regime + ")");
@@ -35,12 +39,14 @@ final class Count {
 
     /** Asks as many plain cases and as many adversarial ones, times the effort. */
     static Count of(Kernel kernel, long seed, long cases) {
-        Count count = new Count(kernel);
+        Count count = new Count(kernel, seed);
         for (boolean adversarial : new boolean[] {false, true}) {
             SplittableRandom random =
                     new SplittableRandom(seed * 31 + kernel.name().hashCode() * 2L + (adversarial ? 1 : 0));
             for (long k = 0; k < Math.round(cases * kernel.effort()); k++) {
-                count.add(kernel.ask(random.split(), adversarial), adversarial);
+                Visit visit = kernel.ask(random.split(), adversarial);
+                count.add(visit, adversarial);
+                count.fail(visit.regime(), kernel.proof(count.witnesses));
             }
         }
         return count;
@@ -68,9 +74,13 @@ final class Count {
         row.width = Math.max(row.width, visit.width());
         if (visit.failure() != null) {
             row.wrong++;
-            if (failures.size() < FAILURES) {
-                failures.add(kernel.name() + ", " + visit.regime() + ": " + visit.failure());
-            }
+        }
+        fail(visit.regime(), visit.failure());
+    }
+
+    private void fail(String regime, @Nullable String failure) {
+        if (failure != null && failures.size() < FAILURES) {
+            failures.add(kernel.name() + ", " + regime + ": " + failure);
         }
     }
 }

@@ -2,6 +2,8 @@ package robosim.geometry.census;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.proof.Witnesses;
 
 /**
  * One kernel of the product, that is, a question about two shapes in one dimension: the regimes that its cases fall into, a
@@ -29,4 +31,9 @@ public interface Kernel {
      * @param adversarial whether the case is built to be near a border between regimes, or plain
      */
     Visit ask(SplittableRandom random, boolean adversarial);
+
+    /** Has a share of the answers proved, where there is such a claim: the one to the last case. Tells what is wrong with a proof. */
+    default @Nullable String proof(Witnesses witnesses) {
+        return null;
+    }
 }

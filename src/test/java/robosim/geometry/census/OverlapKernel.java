@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
+import robosim.geometry.proof.Witnesses;
 
 /**
  * Whether two convex bodies touch in space, where the twin is sure: apart by a slab wider than its rounding, or with a point
@@ -23,6 +25,10 @@ final class OverlapKernel implements Kernel {
     private final List<Body.Type> others;
     private final Scratch scratch = new Scratch();
     private final NearestTwin twin = new NearestTwin();
+    private Body a = Body.sphere(new double[3], 0);
+    private Body b = a;
+    private boolean touch;
+    private boolean doubtful;
 
     private OverlapKernel(Body.Type typeA, List<Body.Type> others) {
         this.typeA = typeA;
@@ -67,11 +73,11 @@ final class OverlapKernel implements Kernel {
         double gap = StrictMath.pow(10, random.nextDouble(least, -0.5));
         double signed = state == 0 ? 0 : state < 7 ? gap : -gap;
         pairs.facing(typeA, random.nextInt(3), other, random.nextInt(3), signed);
-        Body a = pairs.a;
-        Body b = pairs.b;
+        a = pairs.a;
+        b = pairs.b;
         scratch.overlap.uncertain = false;
-        boolean touch = SpatialOverlap.test(new Leaf(a.kind, a.row, 0), new Leaf(b.kind, b.row, 0), scratch.overlap);
-        boolean doubtful = scratch.overlap.uncertain;
+        touch = SpatialOverlap.test(new Leaf(a.kind, a.row, 0), new Leaf(b.kind, b.row, 0), scratch.overlap);
+        doubtful = scratch.overlap.uncertain;
         boolean swapped = SpatialOverlap.test(new Leaf(b.kind, b.row, 0), new Leaf(a.kind, a.row, 0), scratch.overlap);
         twin.find(a, b);
         double rounding = NearestTwin.rounding(a, b);
@@ -80,6 +86,12 @@ final class OverlapKernel implements Kernel {
         boolean far = twin.low > 0x1p-40 * (a.size() + b.size() + Vec.length(Vec.minus(a.c, b.c)));
         boolean right = touch == swapped && (truth == null || truth == touch || (doubtful && !far && touch));
         return right ? Visit.right(regime) : Visit.wrong(regime, touch + ", swapped " + swapped + ": " + a + ", " + b);
+    }
+
+    @Override
+    public @Nullable String proof(Witnesses witnesses) {
+        return witnesses.overlap(
+                Witnesses.object(a.kind, a.row), Witnesses.object(b.kind, b.row), Dimension.SPATIAL, touch, !doubtful);
     }
 
     private boolean surelyMeet(Body a, Body b, double margin) {

@@ -3,11 +3,14 @@ package robosim.geometry.census;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -21,6 +24,9 @@ final class PlanarPair implements Kernel {
     private final Form[] first;
     private final Form[] second;
     private final Scratch scratch = new Scratch();
+    private double[] a = {};
+    private double[] b = {};
+    private boolean touch;
     private Form formA = Form.SPHERE;
     private Form formB = Form.SPHERE;
 
@@ -64,8 +70,8 @@ final class PlanarPair implements Kernel {
     public Visit ask(SplittableRandom random, boolean adversarial) {
         formA = first[random.nextInt(first.length)];
         formB = second[random.nextInt(second.length)];
-        double[] a = PlanarCases.row(formA, random, adversarial);
-        double[] b = PlanarCases.row(formB, random, adversarial);
+        a = PlanarCases.row(formA, random, adversarial);
+        b = PlanarCases.row(formB, random, adversarial);
         PlanarTwin one = PlanarTwin.of(formA, a);
         PlanarTwin two = PlanarTwin.of(formB, b);
         PlanarTwin of = random.nextBoolean() ? one : two;
@@ -80,7 +86,7 @@ final class PlanarPair implements Kernel {
             PlanarCases.move(formB, b, -aside * n[1], aside * n[0]);
         }
         two = PlanarTwin.of(formB, b);
-        return compare(a, b, one, two);
+        return compare(one, two);
     }
 
     private static double gap(SplittableRandom random, boolean adversarial) {
@@ -91,27 +97,27 @@ final class PlanarPair implements Kernel {
         return random.nextInt(12) == 0 ? 0 : random.nextBoolean() ? size : -size;
     }
 
-    private Visit compare(double[] a, double[] b, PlanarTwin one, PlanarTwin two) {
+    @Override
+    public @Nullable String proof(Witnesses witnesses) {
+        return witnesses.overlap(
+                Witnesses.object(PlanarCases.kind(formA), a),
+                Witnesses.object(PlanarCases.kind(formB), b),
+                Dimension.PLANAR,
+                touch,
+                !hasOval());
+    }
+
+    private Visit compare(PlanarTwin one, PlanarTwin two) {
         LeafKind kindA = PlanarCases.kind(formA);
         LeafKind kindB = PlanarCases.kind(formB);
-        boolean touch = PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
+        touch = PlanarOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
         double distance = PlanarDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
         String text = PlanarCases.paste(formA, a) + " and " + PlanarCases.paste(formB, b);
         double size = one.size() + two.size();
-        return hasOval()
-                ? oval(one.parted(two), touch, distance, size, text)
-                : exact(a, b, one, two, touch, distance, size, text);
+        return hasOval() ? oval(one.parted(two), distance, size, text) : exact(one, two, distance, size, text);
     }
 
-    private Visit exact(
-            double[] a,
-            double[] b,
-            PlanarTwin one,
-            PlanarTwin two,
-            boolean touch,
-            double distance,
-            double size,
-            String text) {
+    private Visit exact(PlanarTwin one, PlanarTwin two, double distance, double size, String text) {
         boolean truth = PlanarTwin.exactly(number -> Truth.planar(number, formA, a, formB, b));
         if (truth) {
             double deep = one.parted(two).head();
@@ -139,7 +145,7 @@ final class PlanarPair implements Kernel {
                 () -> text + ": " + far + " apart (got: " + distance + ")");
     }
 
-    private Visit oval(Twofold parted, boolean touch, double distance, double size, String text) {
+    private Visit oval(Twofold parted, double distance, double size, String text) {
         double far = parted.head();
         String regime = far > CLOSE * size
                 ? "apart"

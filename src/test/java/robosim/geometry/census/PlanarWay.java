@@ -3,9 +3,13 @@ package robosim.geometry.census;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.StartTruth;
 import robosim.geometry.reference.Truth;
@@ -90,6 +94,20 @@ final class PlanarWay implements Kernel {
     /** Fills the places with a case, the mover where it starts, and answers the way; so many more of 32 pass closely. */
     static double[] draw(PlanarPlaces places, SplittableRandom random, boolean adversarial, int more) {
         return adversarial ? adversarial(places, random, more) : plain(places, random);
+    }
+
+    @Override
+    public @Nullable String proof(Witnesses witnesses) {
+        Leaf a = new Leaf(PlanarCases.kind(places.formA), places.a, 0);
+        Leaf b = new Leaf(PlanarCases.kind(places.formB), places.b, 0);
+        return PlanarOverlap.test(a, b, scratch.overlap)
+                ? null
+                : witnesses.translation(
+                        Witnesses.object(PlanarCases.kind(places.formA), places.a),
+                        new double[] {dx, 17, dz},
+                        Witnesses.object(PlanarCases.kind(places.formB), places.b),
+                        Dimension.PLANAR,
+                        time);
     }
 
     private static double[] plain(PlanarPlaces places, SplittableRandom random) {

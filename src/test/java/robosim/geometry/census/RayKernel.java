@@ -5,10 +5,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.BeamAxis;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.ray.SpatialRay;
+import robosim.geometry.proof.Witnesses;
 
 /** A ray against each convex shape in space, beside the decimals of {@link RayOracle}: the verdict, and four ulp of the distance. */
 final class RayKernel implements Kernel {
@@ -19,6 +22,10 @@ final class RayKernel implements Kernel {
     private static final double AT = 1e-7;
 
     private final Scratch scratch = new Scratch();
+    private Body body = Body.sphere(new double[3], 0);
+    private double[] start = {};
+    private double[] way = {};
+    private double answer;
 
     @Override
     public String name() {
@@ -107,8 +114,16 @@ final class RayKernel implements Kernel {
                 : body.c;
     }
 
+    @Override
+    public @Nullable String proof(Witnesses witnesses) {
+        return witnesses.ray(start, way, Witnesses.object(body.kind, body.row), Dimension.SPATIAL, answer);
+    }
+
     private Visit compare(Body body, double[] start, double[] way) {
-        double answer = SpatialRay.distance(
+        this.body = body;
+        this.start = start;
+        this.way = way;
+        answer = SpatialRay.distance(
                 new BeamAxis().line(start[0], start[1], start[2], way[0], way[1], way[2]),
                 body.kind,
                 body.row,

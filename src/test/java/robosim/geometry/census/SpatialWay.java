@@ -2,8 +2,12 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.proof.Witnesses;
 
 /** Straight translations. */
 final class SpatialWay extends SpatialMotion {
@@ -50,6 +54,15 @@ final class SpatialWay extends SpatialMotion {
     double free() {
         return SpatialSweep.translation(
                 new Leaf(kindA, a, 0), way[0], way[1], way[2], new Leaf(kindB, b, 0), scratch.sweep);
+    }
+
+    @Override
+    public @Nullable String proof(Witnesses witnesses) {
+        boolean touches = SpatialOverlap.test(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.overlap);
+        return touches
+                ? null
+                : witnesses.translation(
+                        Witnesses.object(kindA, a), way, Witnesses.object(kindB, b), Dimension.SPATIAL, free());
     }
 
     @Override

@@ -55,6 +55,14 @@ class ReplayCommandTest extends CommandRun {
     }
 
     @Test
+    void theAnswersOfStoredScenariosAreProved() {
+        assertThat(run("replay", STORED, "--prove")).isZero();
+        assertThat(out.toString()).containsPattern("proofs: [1-9][0-9]+ hold, [0-9]+ answers have none, 0 failed");
+        assertThat(run("replay", STORED, "--prove", "1.5")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("--prove must be from 0 to 1 (got: 1.5)");
+    }
+
+    @Test
     void numbersAreWrittenAlikeEverywhere() {
         Locale before = Locale.getDefault();
         try {

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -32,6 +34,23 @@ class SweepCommandTest extends CommandRun {
         Matcher digest = DIGEST.matcher(out.toString());
         assertThat(digest.find()).as(out.toString()).isTrue();
         return digest.group(1);
+    }
+
+    /** With proofs the results are the same to the bit. */
+    @Test
+    void aShareOfTheAnswersIsProved() throws IOException {
+        Object[] words = {"sweep", SCENARIO, "-n", 2, "-p", "slip=0.1", "--digest", "-o"};
+        assertThat(run(with(words, folder.resolve("plain.jsonl")))).isZero();
+        String plain = digest();
+        assertThat(out.toString()).doesNotContain("proofs:");
+        assertThat(run(with(words, folder.resolve("proved.jsonl"), "--prove", "0.05")))
+                .isZero();
+        assertThat(digest()).isEqualTo(plain);
+        assertThat(out.toString()).containsPattern("proofs: [1-9][0-9]+ hold, [0-9]+ answers have none, 0 failed");
+    }
+
+    private static Object[] with(Object[] words, Object... more) {
+        return Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray();
     }
 
     @Test

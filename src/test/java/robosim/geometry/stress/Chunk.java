@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.Truth;
 
 /** A stretch of cases of one family that starts from a seed of its own, whoever runs it and when. */
@@ -19,19 +20,22 @@ final class Chunk {
     private final Scratch scratch = new Scratch();
     private final Decision decision = new Decision();
     private final List<String> failures = new ArrayList<>();
+    private final Witnesses witnesses;
     private long yes;
     private long wrong;
     private long nanos;
     private long digest = 0x1234_5678_9abc_def0L;
 
-    private Chunk(Family family, boolean adversarial) {
+    private Chunk(Family family, boolean adversarial, long seed) {
+        witnesses = new Witnesses(seed);
         this.family = family;
         this.adversarial = adversarial;
         Arrays.setAll(block, k -> new Case());
     }
 
     static Tally run(Family family, boolean adversarial, long seed, long index, int cases) {
-        return new Chunk(family, adversarial).run(seed(family, adversarial, seed, index), cases);
+        long own = seed(family, adversarial, seed, index);
+        return new Chunk(family, adversarial, own).run(own, cases);
     }
 
     private static long seed(Family family, boolean adversarial, long seed, long index) {
@@ -70,6 +74,7 @@ final class Chunk {
                 nanos,
                 digest,
                 wrong,
+                witnesses.counts(),
                 List.copyOf(failures));
     }
 
@@ -81,6 +86,11 @@ final class Chunk {
                 ^ Long.rotateLeft(Double.doubleToLongBits(question.ray[3]), 42);
         digest = (digest ^ bits ^ answer) * 0x100_0000_01b3L;
         if (answer == truth) {
+            String wrongProof = family.proof(question, answer, witnesses, scratch);
+            if (wrongProof != null && failures.size() < Tally.FAILURES) {
+                failures.add("%s answers %d, but %s\n%s\n%s"
+                        .formatted(family.name(), answer, wrongProof, family.call(), question.paste()));
+            }
             return;
         }
         wrong++;

@@ -1,7 +1,9 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.Quantity.Arithmetic;
 
 /** Questions of one sort: how to make them up, the product's answer, and the truth. */
@@ -23,6 +25,12 @@ abstract class Family {
     abstract int product(Case question, Scratch scratch);
 
     abstract int truth(Case question, Arithmetic numbers);
+
+    /** Has a share of the answers proved, where there is such a claim; tells what is wrong with a proof. */
+    @Nullable
+    String proof(Case question, int answer, Witnesses witnesses, Scratch scratch) {
+        return null;
+    }
 
     /** The least and greatest share of yes among the random and among the adversarial cases. */
     double[] mix(boolean adversarial) {

@@ -2,8 +2,11 @@ package robosim.geometry.stress;
 
 import java.util.Objects;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.MeshTruth;
 import robosim.geometry.reference.Quantity.Arithmetic;
 
@@ -22,6 +25,12 @@ final class MeshFamily extends Family {
     @Override
     int product(Case c, Scratch s) {
         return CollisionDetection.intersects(Objects.requireNonNull(c.meshA), Objects.requireNonNull(c.meshB)) ? 1 : 0;
+    }
+
+    @Override
+    @Nullable
+    String proof(Case c, int answer, Witnesses witnesses, Scratch scratch) {
+        return witnesses.overlap(c.meshA, c.meshB, Dimension.SPATIAL, answer == 1, true);
     }
 
     @Override

@@ -1,11 +1,14 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -54,6 +57,17 @@ final class OverlapFamily extends Family {
         boolean touch =
                 planar ? Truth.planar(n, q.formA, q.a, q.formB, q.b) : Truth.spatial(n, q.formA, q.a, q.formB, q.b);
         return touch ? 1 : 0;
+    }
+
+    @Override
+    @Nullable
+    String proof(Case q, int answer, Witnesses witnesses, Scratch scratch) {
+        return witnesses.overlap(
+                Witnesses.object(kind(q.formA), q.a),
+                Witnesses.object(kind(q.formB), q.b),
+                planar ? Dimension.PLANAR : Dimension.SPATIAL,
+                answer == 1,
+                true);
     }
 
     @Override

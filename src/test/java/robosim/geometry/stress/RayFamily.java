@@ -1,11 +1,14 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.BeamAxis;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.SpatialRay;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -30,12 +33,26 @@ final class RayFamily extends Family {
 
     @Override
     int product(Case c, Scratch s) {
+        return distance(c, s) < Double.POSITIVE_INFINITY ? 1 : 0;
+    }
+
+    @Override
+    @Nullable
+    String proof(Case c, int answer, Witnesses witnesses, Scratch scratch) {
+        return witnesses.ray(
+                c.ray,
+                new double[] {c.ray[3], planar ? 0 : c.ray[4], c.ray[5]},
+                Witnesses.object(OverlapFamily.kind(c.formB), c.b),
+                planar ? Dimension.PLANAR : Dimension.SPATIAL,
+                distance(c, scratch));
+    }
+
+    private double distance(Case c, Scratch s) {
         double[] r = c.ray;
         LeafKind kind = OverlapFamily.kind(c.formB);
-        double distance = planar
+        return planar
                 ? PlanarRay.distance(new BeamAxis().line(r[0], 0, r[2], r[3], 0, r[5]), kind, c.b, 0, s.ray)
                 : SpatialRay.distance(new BeamAxis().line(r[0], r[1], r[2], r[3], r[4], r[5]), kind, c.b, 0, s.ray);
-        return distance < Double.POSITIVE_INFINITY ? 1 : 0;
     }
 
     @Override

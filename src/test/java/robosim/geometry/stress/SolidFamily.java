@@ -3,10 +3,13 @@ package robosim.geometry.stress;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.MeshTruth;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Truth.Form;
@@ -19,9 +22,17 @@ final class SolidFamily extends Family {
 
     @Override
     int product(Case c, Scratch s) {
-        double[] b = c.b;
-        BoxObject box = new BoxObject(new Point(b[0], b[1], b[2]), 2 * b[3], 2 * b[4], 2 * b[5]);
-        return CollisionDetection.intersects(Objects.requireNonNull(c.meshA), box) ? 1 : 0;
+        return CollisionDetection.intersects(Objects.requireNonNull(c.meshA), box(c.b)) ? 1 : 0;
+    }
+
+    private static BoxObject box(double[] b) {
+        return new BoxObject(new Point(b[0], b[1], b[2]), 2 * b[3], 2 * b[4], 2 * b[5]);
+    }
+
+    @Override
+    @Nullable
+    String proof(Case c, int answer, Witnesses witnesses, Scratch scratch) {
+        return witnesses.overlap(box(c.b), c.meshA, Dimension.SPATIAL, answer == 1, true);
     }
 
     @Override

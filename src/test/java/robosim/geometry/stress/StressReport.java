@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import robosim.geometry.proof.Witnesses;
 
 /** What a run found, as a table to read and as one to compute with. */
 final class StressReport {
@@ -55,6 +56,9 @@ final class StressReport {
                     t.nanosEach(),
                     t.digest()));
         }
+        Witnesses.Counts proofs =
+                tallies.stream().map(Tally::proofs).reduce(Witnesses.Counts.NONE, Witnesses.Counts::plus);
+        text.append(line("")).append(line("Of a seeded share of the answers, %s.", proofs));
         text.append(fallbackMarkdown());
         return text.toString();
     }
@@ -100,10 +104,11 @@ final class StressReport {
 
     private String csv() {
         StringBuilder text = new StringBuilder(
-                line("family,sort,seed,cases,yes,close,oracle_checks,wrong,bound,nanos_per_case,digest"));
+                line(
+                        "family,sort,seed,cases,yes,close,oracle_checks,wrong,proved,unprovable,failed,bound,nanos_per_case,digest"));
         for (Tally t : tallies) {
             text.append(line(
-                    "%s,%s,%d,%d,%d,%d,%d,%d,%.3e,%.1f,%016x",
+                    "%s,%s,%d,%d,%d,%d,%d,%d,%d,%d,%d,%.3e,%.1f,%016x",
                     t.family(),
                     sort(t),
                     seed,
@@ -112,6 +117,9 @@ final class StressReport {
                     t.doubts(),
                     t.checks(),
                     t.wrong(),
+                    t.proofs().proved(),
+                    t.proofs().unprovable(),
+                    t.proofs().failed(),
                     t.bound(),
                     t.nanosEach(),
                     t.digest()));

@@ -1,6 +1,8 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -8,6 +10,7 @@ import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.proof.Witnesses;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -32,19 +35,37 @@ final class SweepFamily extends Family {
     int product(Case c, Scratch s) {
         LeafKind kindA = OverlapFamily.kind(c.formA);
         LeafKind kindB = OverlapFamily.kind(c.formB);
-        double dx = c.ray[3];
-        double dy = c.ray[4];
-        double dz = c.ray[5];
         boolean atOnce = planar
                 ? PlanarOverlap.test(new Leaf(kindA, c.a, 0), new Leaf(kindB, c.b, 0), s.overlap)
                 : SpatialOverlap.test(new Leaf(kindA, c.a, 0), new Leaf(kindB, c.b, 0), s.overlap);
         if (atOnce) {
             return AT_ONCE;
         }
-        double time = planar
+        return time(c, s) < Double.POSITIVE_INFINITY ? 1 : 0;
+    }
+
+    private double time(Case c, Scratch s) {
+        LeafKind kindA = OverlapFamily.kind(c.formA);
+        LeafKind kindB = OverlapFamily.kind(c.formB);
+        double dx = c.ray[3];
+        double dy = c.ray[4];
+        double dz = c.ray[5];
+        return planar
                 ? PlanarSweep.translation(new Leaf(kindA, c.a, 0), dx, dy, dz, new Leaf(kindB, c.b, 0), s.sweep)
                 : SpatialSweep.translation(new Leaf(kindA, c.a, 0), dx, dy, dz, new Leaf(kindB, c.b, 0), s.sweep);
-        return time < Double.POSITIVE_INFINITY ? 1 : 0;
+    }
+
+    @Override
+    @Nullable
+    String proof(Case c, int answer, Witnesses witnesses, Scratch scratch) {
+        return answer == AT_ONCE
+                ? null
+                : witnesses.translation(
+                        Witnesses.object(OverlapFamily.kind(c.formA), c.a),
+                        new double[] {c.ray[3], c.ray[4], c.ray[5]},
+                        Witnesses.object(OverlapFamily.kind(c.formB), c.b),
+                        planar ? Dimension.PLANAR : Dimension.SPATIAL,
+                        time(c, scratch));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package robosim.geometry.stress;
 
 import java.util.List;
+import robosim.geometry.proof.Witnesses;
 
 /**
  * What came of the cases of one sort of one family.
@@ -11,6 +12,7 @@ import java.util.List;
  * @param nanos   the product's time for all of them
  * @param digest  of all questions and answers; depends on the seed and the number of cases alone
  * @param wrong   how many answers of the product were not true
+ * @param proofs  what came of the proofs of a share of the answers
  * @param failures the first few of them, to paste
  */
 record Tally(
@@ -23,6 +25,7 @@ record Tally(
         long nanos,
         long digest,
         long wrong,
+        Witnesses.Counts proofs,
         List<String> failures) {
     static final int FAILURES = 5;
 
@@ -52,6 +55,7 @@ record Tally(
                 nanos + that.nanos,
                 digest + that.digest,
                 wrong + that.wrong,
+                proofs.plus(that.proofs),
                 List.copyOf(both.subList(0, Math.min(FAILURES, both.size()))));
     }
 }

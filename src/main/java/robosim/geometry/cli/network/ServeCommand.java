@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -18,12 +19,15 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.ProofOptions;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.scenario.AnswerProofs;
 import robosim.geometry.scenario.drive.WorldLoading;
 import robosim.geometry.scenario.drive.WorldOpening;
 import robosim.geometry.world.WorldException;
@@ -41,6 +45,7 @@ import robosim.geometry.world.WorldException;
             "  robosim-geometry serve 5555",
             "  robosim-geometry serve 5555 --world worlds/rooms.xml",
             "  robosim-geometry serve 5555 --record recordings --figures 60",
+            "  robosim-geometry serve 5555 --prove 0.001",
             "  robosim-geometry serve 5555 --watch 5556",
             "  robosim-geometry serve 5555 --view 8080 --control",
             "  robosim-geometry serve 5555 --admin 5580 --drain 60 --log json"
@@ -121,6 +126,9 @@ public final class ServeCommand implements Callable<Integer> {
     @Mixin
     private ObserverOptions observers;
 
+    @Mixin
+    private ProofOptions proofs;
+
     @Override
     public Integer call() throws Exception {
         Arguments.port(port, 0);
@@ -132,7 +140,13 @@ public final class ServeCommand implements Callable<Integer> {
         if (admin != null) {
             Arguments.port(admin, 0);
         }
-        ObserverOptions.Watch watched = observers.watched(observers.recordedInFolder(options.withOpening(opening)));
+        NetOptions recorded = observers.recordedInFolder(options.withOpening(opening));
+        AnswerProofs answers = proofs.of(options.session());
+        Function<String, SessionListener> recording = recorded.listeners();
+        ObserverOptions.Watch watched = observers.watched(
+                answers == null
+                        ? recorded
+                        : recorded.withListeners(name -> recording.apply(name).and(answers.apply(name))));
         GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, watched.options());
         common.keepFresh(server::renew);
         PrintWriter out = spec.commandLine().getOut();
@@ -151,6 +165,7 @@ public final class ServeCommand implements Callable<Integer> {
             server.drain(Duration.ofSeconds(drain));
             loading.close();
             watched.close();
+            proofs.tell(out);
             if (operator != null) {
                 operator.close();
             }

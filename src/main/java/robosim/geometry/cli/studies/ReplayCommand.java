@@ -11,6 +11,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -20,7 +21,9 @@ import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.FailureText;
 import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.ProofOptions;
 import robosim.geometry.cli.terminal.WireFiles;
+import robosim.geometry.net.SessionOptions;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.ScenarioReader;
@@ -34,7 +37,7 @@ import robosim.geometry.scenario.source.StepReader;
         exitCodeList = {
             ExitCodes.FINE + ":every answer is as recorded",
             ExitCodes.FINDINGS
-                    + ":an answer differs, a recording was altered or lacks answers, or nothing could be compared",
+                    + ":an answer differs, a proof failed, a recording was altered or lacks answers, or nothing could be compared",
             ExitCodes.REFUSED
         },
         footer = {
@@ -69,6 +72,9 @@ public final class ReplayCommand implements Callable<Integer> {
             description = "maximum number of differences listed for each file (default: 10)")
     private int most = 10;
 
+    @Mixin
+    private ProofOptions proofs;
+
     private long steps;
     private long compared;
     private int different;
@@ -95,7 +101,7 @@ public final class ReplayCommand implements Callable<Integer> {
                 NumberText.count(compared, "answer"),
                 verdict());
         out.flush();
-        boolean isFine = different + altered + lacking == 0 && compared > 0;
+        boolean isFine = proofs.tell(out) && different + altered + lacking == 0 && compared > 0;
         return unreadable > 0 ? ExitCodes.UNUSABLE : isFine ? 0 : ExitCodes.FINDINGS;
     }
 
@@ -164,7 +170,8 @@ public final class ReplayCommand implements Callable<Integer> {
     private void replay(Path file, int number, Progress progress) {
         PrintWriter out = spec.commandLine().getOut();
         try (StepReader reader = open(file)) {
-            Replay replay = new Replay(reader.header().options());
+            SessionOptions options = reader.header().options();
+            Replay replay = new Replay(options, proofs.listener(String.valueOf(file.getFileName()), options));
             for (Step step = reader.next(); step != null; step = reader.next()) {
                 Mismatch mismatch = replay.step(step);
                 if (mismatch != null && replay.mismatches() <= most) {

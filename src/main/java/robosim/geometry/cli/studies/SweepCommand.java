@@ -27,9 +27,12 @@ import robosim.geometry.check.NumberText;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.ProofOptions;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.cli.terminal.WorldFiles;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.scenario.AnswerProofs;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.ScenarioSweep;
@@ -45,7 +48,12 @@ import robosim.geometry.sweep.SweepWorld;
         description = "Runs a scenario over worlds, parameters and seeds, on any number of threads and machines,"
                 + " with results that are the same to the bit.",
         subcommands = SweepMergeCommand.class,
-        exitCodeList = {ExitCodes.DONE, ExitCodes.FINDINGS + ":replicates failed", ExitCodes.REFUSED, ExitCodes.ENDED},
+        exitCodeList = {
+            ExitCodes.DONE,
+            ExitCodes.FINDINGS + ":replicates or proofs failed",
+            ExitCodes.REFUSED,
+            ExitCodes.ENDED
+        },
         footerHeading = "%nParameters of a scenario file, each 0 unless given:%n",
         footer = {
             "  place    radius of the disc in which each robot starts, world units",
@@ -57,6 +65,7 @@ import robosim.geometry.sweep.SweepWorld;
             "",
             "Examples:",
             "  robosim-geometry sweep wandering.scenario.jsonl -n 1000 -p place=0,0.5,1 --plot wandering.svg",
+            "  robosim-geometry sweep wandering.scenario.jsonl -n 1000 --prove 0.01",
             "  robosim-geometry sweep com.example.Docking worlds/*.xml -n 200 -p speed=0.5,1 --threads 8",
             "  robosim-geometry sweep com.example.Docking worlds/*.xml -n 200 --shard 3/16 --resume",
             "  robosim-geometry sweep merge sweep-*-of-16.jsonl --digest"
@@ -126,6 +135,9 @@ public final class SweepCommand implements Callable<Integer> {
     @Mixin
     private SweepOutput output;
 
+    @Mixin
+    private ProofOptions proofs;
+
     private static final String NUMBER = "[-+]?[0-9]*\\.?[0-9]+(?:[eE][-+]?[0-9]{1,3})?";
     private static final Pattern GOAL = Pattern.compile("(.+)@(" + NUMBER + "),(" + NUMBER + "),(" + NUMBER + ")");
 
@@ -178,7 +190,7 @@ public final class SweepCommand implements Callable<Integer> {
                 (System.nanoTime() - start) / 1e9,
                 file);
         out.flush();
-        return code;
+        return proofs.tell(out) ? code : ExitCodes.FINDINGS;
     }
 
     /** What a user who stops a sweep should know. */
@@ -231,7 +243,9 @@ public final class SweepCommand implements Callable<Integer> {
         if (scenario.endsWith(ScenarioReader.ENDING) || Files.isRegularFile(Path.of(scenario))) {
             Path conversationFile = Arguments.input("SCENARIO", Path.of(scenario));
             files.opened(conversationFile);
-            ScenarioSweep conversation = withGoals(ScenarioSweep.read(conversationFile));
+            ScenarioSweep read = withGoals(ScenarioSweep.read(conversationFile));
+            AnswerProofs answers = proofs.of(read.options());
+            ScenarioSweep conversation = answers == null ? read : read.heardBy(answers);
             sweep = ParameterSweep.of(conversation);
             if (worlds.isEmpty()) {
                 sweep = sweep.over(conversation.world());
@@ -243,6 +257,11 @@ public final class SweepCommand implements Callable<Integer> {
             if (!goals.isEmpty()) {
                 throw new UsageException(
                         "--goal is for a scenario file; a class measures what it wants (got: " + goals.get(0) + ")");
+            }
+            if (proofs.of(SessionOptions.ROBOSIM) != null) {
+                throw new UsageException(
+                        "--prove is for a scenario file, whose answers it sees; a class can ask Geometry.prove() itself"
+                                + " (got: " + scenario + ")");
             }
             sweep = ParameterSweep.of(made(scenario));
             if (worlds.isEmpty()) {

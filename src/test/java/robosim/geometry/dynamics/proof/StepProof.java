@@ -9,9 +9,11 @@ import java.util.SplittableRandom;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.LongStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.dynamics.StopCount;
+import robosim.geometry.proof.Witnesses;
 
 /** Runs many small scenes, step by step, and looks at each after every step. What comes of a scene depends on its seed alone. */
 public final class StepProof {
@@ -35,6 +37,7 @@ public final class StepProof {
 
     final AtomicLong digest = new AtomicLong();
     final AtomicLong contacts = new AtomicLong();
+    final AtomicReference<Witnesses.Counts> proofs = new AtomicReference<>(Witnesses.Counts.NONE);
     final StopCount stopped = new StopCount();
     final AtomicLong slowest = new AtomicLong();
     final AtomicLong bodies = new AtomicLong();
@@ -95,6 +98,7 @@ public final class StepProof {
         if (broken != null) {
             throw new IllegalStateException(family + ", scene " + number + " begins broken: " + broken);
         }
+        Witnesses witnesses = new Witnesses(number);
         for (int step = 0; step < STEPS; step++) {
             if (step % STIRRED == 0) {
                 family.stir(scene, random);
@@ -116,6 +120,7 @@ public final class StepProof {
             hash = scene.digest(hash);
             if (broken == null) {
                 broken = scene.broken();
+                broken = broken == null ? witnesses.clear(scene.world, scene.names) : broken;
                 double now = scene.energy();
                 if (broken == null && !(now <= energy * (1 + 1e-9) + 1e-9)) {
                     broken = "energy grew from " + energy + " to " + now;
@@ -126,6 +131,7 @@ public final class StepProof {
             tell(done.incrementAndGet());
         }
         digest.addAndGet(hash);
+        proofs.accumulateAndGet(witnesses.counts(), Witnesses.Counts::plus);
         return broken;
     }
 
@@ -175,6 +181,7 @@ public final class StepProof {
                 slowestAt,
                 digest.get(),
                 failures.size()));
+        lines.append("of a share of the steps ").append(proofs.get()).append(System.lineSeparator());
         failures.forEach(failure -> lines.append(failure).append(System.lineSeparator()));
         return lines.toString();
     }
