@@ -94,7 +94,7 @@ class SerialClassesTest {
                         .isTrue();
             }
         }
-        assertThat(crossing).isEqualTo(95);
+        assertThat(crossing).isEqualTo(98);
     }
 
     /** An object under its own class's name, as no writer makes it. */
