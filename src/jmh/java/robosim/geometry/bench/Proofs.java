@@ -92,13 +92,19 @@ public final class Proofs {
 
     private Geometry world(int count, double side) {
         Geometry world = new Geometry(side + 10, 12, side + 10, Dimension.SPATIAL, Accuracy.EXACT);
-        world.addObject(new BoxObject(new Point(0, 0, 0), 0.6, 1, 0.6).turned(0, 30).moveable("robot"));
+        world.addObject(
+                new BoxObject(new Point(0, 0, 0), 0.6, 1, 0.6).turned(0, 30).moveable("robot"));
         while (world.objects().size() <= count) {
             Point c = new Point(
-                    random.nextDouble(-side / 2, side / 2), random.nextDouble(-3, 3), random.nextDouble(-side / 2, side / 2));
+                    random.nextDouble(-side / 2, side / 2),
+                    random.nextDouble(-3, 3),
+                    random.nextDouble(-side / 2, side / 2));
             switch (random.nextInt(3)) {
-                case 0 -> world.addObject(new BoxObject(c, 1, 2, 3).turned(random.nextDouble(360), random.nextDouble(360)));
-                case 1 -> world.addObject(new CylinderObject(c, 0.7, 2).turned(random.nextDouble(90), random.nextDouble(360)));
+                case 0 ->
+                    world.addObject(new BoxObject(c, 1, 2, 3).turned(random.nextDouble(360), random.nextDouble(360)));
+                case 1 ->
+                    world.addObject(
+                            new CylinderObject(c, 0.7, 2).turned(random.nextDouble(90), random.nextDouble(360)));
                 default -> world.addObject(new SphereObject(c, 1));
             }
         }
@@ -115,7 +121,8 @@ public final class Proofs {
             ProofChecker checker) {
         Proof proof = finding.get().proof();
         if (proof == null || !checker.check(proof).isValid()) {
-            throw new IllegalStateException(what + " must be proved (got: " + finding.get().reason() + ")");
+            throw new IllegalStateException(
+                    what + " must be proved (got: " + finding.get().reason() + ")");
         }
         if (proof.claim() instanceof Claim.Ray ray && !(ray.low() > 1)) {
             throw new IllegalStateException("a ray must go some way (got: " + ray + ")");
@@ -290,7 +297,8 @@ public final class Proofs {
         /** East is right, and Z goes down. */
         private double[] place(double x, double z) {
             return new double[] {
-                WIDTH / 2 + SCALE * (x - cart.center().x()), HEIGHT / 2 + 15 + SCALE * (z - cart.center().z())
+                WIDTH / 2 + SCALE * (x - cart.center().x()),
+                HEIGHT / 2 + 15 + SCALE * (z - cart.center().z())
             };
         }
 
@@ -314,11 +322,7 @@ public final class Proofs {
                 svg.append(String.format(Locale.ROOT, "%.1f,%.1f ", p[0], p[1]));
             }
             svg.append(String.format(
-                    Locale.ROOT,
-                    "\" fill=\"%s\" fill-opacity=\"%.2f\" stroke=\"%s\"/>%n",
-                    fill,
-                    opacity,
-                    stroke));
+                    Locale.ROOT, "\" fill=\"%s\" fill-opacity=\"%.2f\" stroke=\"%s\"/>%n", fill, opacity, stroke));
         }
     }
 }

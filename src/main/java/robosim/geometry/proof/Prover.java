@@ -110,7 +110,8 @@ public final class Prover {
         List<Integer> touched = List.copyOf(free.touched);
         double step = 0;
         List<Piece> mine = Piece.of(body);
-        // Each step costs an exact test, so that the contact may be told up to 16 times as late as the first that shows.
+        // Each step costs an exact test, so that the contact may be told up to 16 times as late as the first that
+        // shows.
         for (int k = -52; k <= -16; k += 4) {
             double at = Math.min(1, fraction + step);
             Contact contact = other == Claim.BORDER ? null : contact(body, mine, other, displacement, at);
