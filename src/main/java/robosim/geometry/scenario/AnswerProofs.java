@@ -175,15 +175,15 @@ public final class AnswerProofs implements Function<String, SessionListener> {
             Geometry world = session == null ? null : session.world();
             draw(step.bodies().size());
             for (int k = drawn.nextSetBit(0); world != null && k >= 0; k = drawn.nextSetBit(k + 1)) {
-                BodyAnswer body = step.bodies().get(k);
-                String flaw = check(world, () -> List.of(world.prove().clear(body.objectName())));
-                if (flaw != null) {
-                    store(
-                            "after a step, " + Text.quoted(body.objectName()) + ": " + flaw,
-                            init(world.snapshot()),
-                            null,
-                            null);
-                }
+                body(world, step.bodies().get(k));
+            }
+        }
+
+        private void body(Geometry world, BodyAnswer body) {
+            String flaw = check(world, () -> List.of(world.prove().clear(body.objectName())));
+            if (flaw != null) {
+                String told = "after a step, " + Text.quoted(body.objectName()) + ": " + flaw;
+                store(told, init(world.snapshot()), null, null);
             }
         }
     }
