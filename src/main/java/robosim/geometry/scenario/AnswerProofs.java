@@ -321,7 +321,7 @@ public final class AnswerProofs implements Function<String, SessionListener> {
                 }
                 return file;
             } catch (FileAlreadyExistsException taken) {
-                continue;
+                LOG.log(System.Logger.Level.DEBUG, "there is a {0} already", file);
             }
         }
     }

@@ -108,8 +108,8 @@ class BatchMessageTest {
                 .hasMessageContaining("max");
         assertThatThrownBy(() -> new MeasureRequest("a", MeasureRequest.Question.DISTANCES, pose, 1, -1, none))
                 .hasMessageContaining("(got: -1.0)");
-        assertThatThrownBy(() ->
-                        new MeasureRequest("a", MeasureRequest.Question.DISTANCES, pose, 1, 0, List.of("b", "b")))
+        assertThatThrownBy(
+                        () -> new MeasureRequest("a", MeasureRequest.Question.DISTANCES, pose, 1, 0, List.of("b", "b")))
                 .hasMessage("ignored must have each name once (got: [b, b])");
     }
 

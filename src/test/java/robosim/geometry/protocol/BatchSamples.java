@@ -142,12 +142,12 @@ public final class BatchSamples {
                                 List.of("floor", "\u00e9")),
                         new MeasureRequest(
                                 "", MeasureRequest.Question.CLEARANCES, Numbers.of(0, 0, 0, 0), 3, 0, List.of()),
-                        new MeasureRequest(
-                                "a", MeasureRequest.Question.DISTANCES, Numbers.NONE, 0, 0x1p100, List.of()),
+                        new MeasureRequest("a", MeasureRequest.Question.DISTANCES, Numbers.NONE, 0, 0x1p100, List.of()),
                         new MeasureRequest(
                                 "a", MeasureRequest.Question.EDGES, Numbers.of(new double[8]), 1, 0, List.of("b")))),
                 new BatchAnswerBundle(List.of(
-                        new MeasureRequest.Answer(Numbers.of(-0.5, INFINITY)), new MeasureRequest.Answer(Numbers.NONE))));
+                        new MeasureRequest.Answer(Numbers.of(-0.5, INFINITY)),
+                        new MeasureRequest.Answer(Numbers.NONE))));
     }
 
     /** Requests about the world's objects, and answers to them; what came after the frames. */

@@ -75,14 +75,15 @@ final class JsonAnswers {
                     JsonObject.of(FreeAnswer.class)
                             .form("count", JsonForm.whole(0, MessageLimits.MAX_POSES))
                             .form("free", JsonForm.bytes(1, MessageLimits.MAX_POSES / 8))),
-            JsonKinds.kind("", JsonObject.of(MeasureRequest.Answer.class).form("numbers", JsonForm.packed(1, MEASURED))),
+            JsonKinds.kind(
+                    "", JsonObject.of(MeasureRequest.Answer.class).form("numbers", JsonForm.packed(1, MEASURED))),
             JsonKinds.kind(
                     "",
                     JsonObject.of(WorldAnswer.Described.class)
                             .form(
                                     "leftOut",
-                                    JsonForm.list(
-                                            JsonObject.of(WorldAnswer.LeftOut.class).omitting("", "name")))),
+                                    JsonForm.list(JsonObject.of(WorldAnswer.LeftOut.class)
+                                            .omitting("", "name")))),
             JsonKinds.kind("", JsonObject.of(WorldAnswer.Located.class).form("rotation", JsonForm.ROTATION)),
             JsonKinds.kind("", CHANGED),
             JsonKinds.kind("", JsonAnswers::isMade, MADE),
