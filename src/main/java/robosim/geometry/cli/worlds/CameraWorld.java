@@ -106,12 +106,14 @@ final class CameraWorld {
         return least <= ten ? ten : least <= 2 * ten ? 2 * ten : least <= 5 * ten ? 5 * ten : 10 * ten;
     }
 
-    /** Whether a box is what an infinite plane became, or a floor without a look of its own, and is no ceiling. */
+    /** Whether a box is what an infinite plane became, or the lowest floor and without a look of its own, and is no ceiling. */
     private boolean isGround(BoxObject box) {
+        boolean isPlane = box.height() == Floor.THICKNESS;
         return Floor.isFloor(box, world.width(), world.length())
-                && (box.height() == Floor.THICKNESS || box.material().isDefault())
+                && (isPlane || box.material().isDefault())
                 && box.material().texture() == null
-                && box.bounds().maxY() <= middle(content).y();
+                && box.bounds().maxY()
+                        <= (isPlane ? content.maxY() : middle(content).y());
     }
 
     /** A floor that reaches as far as one can see, in tiles of its own colour, of which one begins at the origin. */
