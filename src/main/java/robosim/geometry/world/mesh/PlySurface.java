@@ -148,7 +148,7 @@ public final class PlySurface {
             for (int corner : polygon) {
                 sum += colors[corner] >> shift & 0xff;
             }
-            color |= (sum + polygon.length / 2) / polygon.length << shift;
+            color |= ((sum + polygon.length / 2) / polygon.length) << shift;
         }
         return color;
     }
