@@ -453,8 +453,8 @@ public final class RosRecording {
             String name, String frame, BeamPattern.Pinhole camera, String encoding, int pixelBytes, byte[] pixels)
             throws IOException {
         double f = camera.width() / 2.0 / StrictMath.tan(camera.fieldOfView() / 2);
-        double cx = camera.width() / 2.0;
-        double cy = camera.height() / 2.0;
+        double cx = (camera.width() - 1) / 2.0; // counted from the middle of the first pixel, as ROS does
+        double cy = (camera.height() - 1) / 2.0;
         String optical = optical(frame);
         send(
                 topic(name, pixelBytes == 3 ? "image" : "depth", frame),

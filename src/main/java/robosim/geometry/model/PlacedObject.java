@@ -54,7 +54,7 @@ public abstract class PlacedObject<S extends GeometryObject> {
             Material material,
             @Nullable List<GeometryObject> visuals,
             Pose pose) {
-        return ((PlacedObject<?>) object).with(new Tag(name, moveable, material, Tag.checked(visuals)), pose);
+        return ((PlacedObject<?>) object).with(new Tag(name, moveable, Look.of(material, Tag.checked(visuals))), pose);
     }
 
     /** The same shape with another tag and pose. */
@@ -73,15 +73,15 @@ public abstract class PlacedObject<S extends GeometryObject> {
     }
 
     public final Material material() {
-        return tag.material();
+        return tag.look().material();
     }
 
     public final @Nullable List<GeometryObject> visuals() {
-        return tag.visuals();
+        return tag.look().visuals();
     }
 
     public final S withVisuals(@Nullable List<? extends GeometryObject> visuals) {
-        return with(new Tag(tag.name(), tag.moveable(), tag.material(), Tag.checked(visuals)), pose);
+        return with(new Tag(tag.name(), tag.moveable(), Look.of(material(), Tag.checked(visuals))), pose);
     }
 
     public final S named(String name) {
@@ -142,13 +142,24 @@ public abstract class PlacedObject<S extends GeometryObject> {
     }
 
     /**
-     * An object's name, whether a world may move it, its material and what is seen of it; a moveable object always has a name.
+     * What an object looks like: most share {@link #DEFAULT}.
+     *
+     * @param visuals what is seen of it; null for its shape
      */
-    record Tag(
-            @Nullable String name,
-            boolean moveable,
-            Material material,
-            @Nullable List<GeometryObject> visuals) {
+    record Look(Material material, @Nullable List<GeometryObject> visuals) {
+        static final Look DEFAULT = new Look(Material.DEFAULT, null);
+
+        Look {
+            Checks.present("material", material);
+        }
+
+        static Look of(Material material, @Nullable List<GeometryObject> visuals) {
+            return visuals == null && material == Material.DEFAULT ? DEFAULT : new Look(material, visuals);
+        }
+    }
+
+    /** An object's name, whether a world may move it, and its look; a moveable object always has a name. */
+    record Tag(@Nullable String name, boolean moveable, Look look) {
         static final Tag NONE = new Tag(null, false);
 
         Tag {
@@ -157,11 +168,10 @@ public abstract class PlacedObject<S extends GeometryObject> {
             } else if (moveable) {
                 throw new IllegalArgumentException("name must be given for a moveable object (got: null)");
             }
-            Checks.present("material", material);
         }
 
         Tag(@Nullable String name, boolean moveable) {
-            this(name, moveable, Material.DEFAULT, null);
+            this(name, moveable, Look.DEFAULT);
         }
 
         /** A copy of a list of visuals, none of which may be moveable or have visuals itself. */
@@ -181,17 +191,17 @@ public abstract class PlacedObject<S extends GeometryObject> {
 
         /** The same as one that a world may move. */
         Tag moveable(String newName) {
-            return new Tag(Checks.name(newName), true, material, visuals);
+            return new Tag(Checks.name(newName), true, look);
         }
 
         /** The same under another name. */
         Tag named(String newName) {
-            return new Tag(Checks.name(newName), moveable, material, visuals);
+            return new Tag(Checks.name(newName), moveable, look);
         }
 
         /** The same of another material. */
         Tag of(Material newMaterial) {
-            return new Tag(name, moveable, newMaterial, visuals);
+            return new Tag(name, moveable, Look.of(newMaterial, look.visuals()));
         }
 
         /** The name, if any, and the place, as text for people. */

@@ -216,7 +216,7 @@ public final class ColorCamera {
 
     /**
      * This camera with soft shadows of the sky that are smooth: each pixel asks so many rays whether the sky is free there,
-     * and takes the mean of its own and those of the pixels around it, as far as they show the same surface. Eight by eight
+     * and takes a mean of its own and those of the pixels around it, as far as they show the same surface. Eight by eight
      * pixels have together 64 times as many directions, so that few rays are enough. What a mirror shows asks one ray
      * for each sample.
      *
@@ -373,6 +373,10 @@ public final class ColorCamera {
         });
         SkyShade shade = pass.shade;
         if (shade != null) {
+            for (int k = 0; pass.only == null && k < SkyShade.PASSES; k++) {
+                int part = k;
+                share(painters.length, pass.plan.height, (thread, row) -> shade.gather(part, row));
+            }
             share(painters.length, pass.plan.height, (k, row) -> shade.resolve(row, pass.only, pixels));
         }
     }

@@ -15,6 +15,9 @@ final class SkyShade {
     /** The side of the squares of pixels that together look in all directions; a power of two. */
     static final int SIDE = 8;
 
+    /** How often the neighbours of pixels are added up: twice along rows and columns. */
+    static final int PASSES = 4;
+
     /** The cosine of the angle between the normals of neighbours that count as one surface. */
     private static final float ALIKE = 0.94f;
 
@@ -34,10 +37,15 @@ final class SkyShade {
 
     private float[] normal = new float[0];
 
-    /** How many rays asked for the sky, and how many of them found it. */
-    private short[] asked = new short[0];
+    /** How many rays asked for the sky, and how many of them found it: of a pixel, and later of those around it. */
+    private float[] asked = new float[0];
 
-    private short[] found = new short[0];
+    private float[] found = new float[0];
+
+    /** The same, half way from a pixel to those around it. */
+    private float[] askedAlong = new float[0];
+
+    private float[] foundAlong = new float[0];
 
     /** The width of a pixel one unit ahead. */
     private float pixel;
@@ -53,12 +61,14 @@ final class SkyShade {
             sky = new float[3 * count];
             point = new float[3 * count];
             normal = new float[3 * count];
-            asked = new short[count];
-            found = new short[count];
+            asked = new float[count];
+            found = new float[count];
+            askedAlong = new float[count];
+            foundAlong = new float[count];
         }
         Arrays.fill(normal, 0);
-        Arrays.fill(asked, (short) 0);
-        Arrays.fill(found, (short) 0);
+        Arrays.fill(asked, 0);
+        Arrays.fill(found, 0);
     }
 
     /** Where the directions of a pixel begin among all, in an order in which parts of the square are spread too. */
@@ -100,6 +110,52 @@ final class SkyShade {
     }
 
     /**
+     * Adds up, for each pixel of a row, what was asked and found by its neighbours on the same surface: in even passes those
+     * in its row, in odd ones those in its column. All rows are done before the next pass begins.
+     *
+     * @param pass from 0; after {@link #PASSES}, near neighbours count more than far ones, so that no step is seen where one
+     *             enters or leaves
+     */
+    void gather(int pass, int row) {
+        boolean isAlong = pass % 2 == 0;
+        int step = isAlong ? 1 : width;
+        // As many neighbours as a square is wide, which is even: one more on one side, and then on the other.
+        int before = pass < 2 ? SIDE / 2 : SIDE / 2 - 1;
+        int after = SIDE - 1 - before;
+        float[] fromAsked = isAlong ? asked : askedAlong;
+        float[] fromFound = isAlong ? found : foundAlong;
+        float[] toAsked = isAlong ? askedAlong : asked;
+        float[] toFound = isAlong ? foundAlong : found;
+        for (int column = 0; column < width; column++) {
+            int at = row * width + column;
+            int place = isAlong ? column : row;
+            int first = at - step * Math.min(before, place);
+            int last = at + step * Math.min(after, (isAlong ? width : height) - 1 - place);
+            float nx = normal[3 * at];
+            float ny = normal[3 * at + 1];
+            float nz = normal[3 * at + 2];
+            float px = point[3 * at];
+            float py = point[3 * at + 1];
+            float pz = point[3 * at + 2];
+            // A pixel covers more of a surface that is seen from the side, but along the surface.
+            float apart = APART * pixel * (float) Math.sqrt(px * px + py * py + pz * pz);
+            float asking = 0;
+            float finding = 0;
+            for (int other = first; other <= last; other += step) {
+                int k = 3 * other;
+                float alike = nx * normal[k] + ny * normal[k + 1] + nz * normal[k + 2];
+                float away = nx * (point[k] - px) + ny * (point[k + 1] - py) + nz * (point[k + 2] - pz);
+                if (alike > ALIKE && Math.abs(away) < apart) {
+                    asking += fromAsked[other];
+                    finding += fromFound[other];
+                }
+            }
+            toAsked[at] = asking; // whole numbers below 2^24, so exact
+            toFound[at] = finding;
+        }
+    }
+
+    /**
      * Writes a row of the picture.
      *
      * @param only the pixels that are written; null for all
@@ -109,39 +165,10 @@ final class SkyShade {
             if (only != null && !only[at]) {
                 continue;
             }
-            double share = share(at, at - row * width, row);
+            double share = asked[at] == 0 ? 1 : (double) found[at] / asked[at];
             out[at] = Color.component(light[3 * at] + share * sky[3 * at]) << 16
                     | Color.component(light[3 * at + 1] + share * sky[3 * at + 1]) << 8
                     | Color.component(light[3 * at + 2] + share * sky[3 * at + 2]);
         }
-    }
-
-    private double share(int at, int column, int row) {
-        int asking = 0;
-        int finding = 0;
-        float nx = normal[3 * at];
-        float ny = normal[3 * at + 1];
-        float nz = normal[3 * at + 2];
-        float px = point[3 * at];
-        float py = point[3 * at + 1];
-        float pz = point[3 * at + 2];
-        // A pixel covers more of a surface that is seen from the side, but along the surface.
-        float apart = APART * pixel * (float) Math.sqrt(px * px + py * py + pz * pz);
-        int top = Math.max(0, row - SIDE / 2);
-        int bottom = Math.min(height, row + SIDE / 2);
-        int left = Math.max(0, column - SIDE / 2);
-        int right = Math.min(width, column + SIDE / 2);
-        for (int y = top; y < bottom; y++) {
-            for (int other = y * width + left; other < y * width + right; other++) {
-                int k = 3 * other;
-                float alike = nx * normal[k] + ny * normal[k + 1] + nz * normal[k + 2];
-                float away = nx * (point[k] - px) + ny * (point[k + 1] - py) + nz * (point[k + 2] - pz);
-                if (alike > ALIKE && Math.abs(away) < apart) {
-                    asking += asked[other];
-                    finding += found[other];
-                }
-            }
-        }
-        return asking == 0 ? 1 : (double) finding / asking;
     }
 }

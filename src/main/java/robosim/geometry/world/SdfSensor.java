@@ -73,6 +73,8 @@ public record SdfSensor(
                 elements.add("<lens><" + names[1] + ">");
             } else if (path.equals("lens/intrinsics/s") && !isZero(value)) {
                 elements.add("<s> of <lens><intrinsics>");
+            } else if (path.equals("distortion/center") && !value.matches("\\s*0?\\.50*\\s+0?\\.50*\\s*")) {
+                elements.add("<center> of <distortion>"); // it is cx and cy
             }
         });
         return elements.isEmpty()

@@ -237,7 +237,10 @@ class RosRecordingTest {
         assertThat(floats(depth).get(3)).isInfinite(); // past the wall's right end
         Map<String, Object> info = of(mcap, "/robot_1/depth_info_2").get(0);
         assertThat(number(info, "k", 0)).isEqualTo(2 / Math.tan(0.5), within(1e-12));
-        assertThat(number(info, "k", 2)).isEqualTo(2);
+        // In ROS the middles of the four columns are at 0, 1, 2 and 3.
+        assertThat(number(info, "k", 2)).isEqualTo(1.5);
+        assertThat(number(info, "k", 5)).isEqualTo((number(info, "height") - 1) / 2);
+        assertThat(number(info, "p", 2)).isEqualTo(1.5);
         Map<String, Object> picture = of(mcap, "/robot_1/image_2").get(0);
         assertThat(at(picture, "encoding")).isEqualTo("rgb8");
         assertThat((List<?>) at(picture, "data")).hasSize(24);

@@ -3,12 +3,15 @@ package robosim.geometry.render;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
@@ -65,6 +68,28 @@ class SmoothSkyTest {
         assertThat(difference(none, many)).as("a picture with shadows").isGreaterThan(5);
         assertThat(off).isLessThan(difference(few, many) / 3);
         assertThat(off).isLessThan(1);
+    }
+
+    /** Before a wall the floor darkens evenly: its pixels differ from those beside them by no more than rounding makes. */
+    @Test
+    void noStepsOnAnEvenFloor() {
+        Geometry world = new Geometry(40, 40, 40, Dimension.SPATIAL, Accuracy.EXACT);
+        world.addObjectUnchecked(new BoxObject(new Point(0, -0.5, 0), 30, 1, 30));
+        world.addObjectUnchecked(new BoxObject(new Point(0, 1, -1), 4, 2, 1));
+        ColorFrame frame = new ColorFrame();
+        ColorCamera.of(160, 100, 50)
+                .at(Viewpoints.lookAt(new Point(1, 5, 8), new Point(0, 0, 1)))
+                .withLighting(Lighting.DAY.withoutLights())
+                .withSmoothSky(1, 4)
+                .render(world, frame);
+        int[] steps = new int[256];
+        for (int row = 50; row < 100; row++) { // below the wall
+            for (int column = 1; column < frame.width(); column++) {
+                steps[Math.abs((frame.pixel(column, row) & 0xff) - (frame.pixel(column - 1, row) & 0xff))]++;
+            }
+        }
+        assertThat(steps[1]).as("where it darkens").isGreaterThan(200);
+        assertThat(Arrays.stream(steps).skip(2).sum()).as("steps").isZero();
     }
 
     @Test

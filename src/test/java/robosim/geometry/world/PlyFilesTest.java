@@ -19,6 +19,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Effort;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 
@@ -67,6 +71,55 @@ class PlyFilesTest {
         assertThat(read.format()).isEqualTo("PLY");
         assertThat(mesh.name()).isEqualTo("square");
         assertThat(MeshTriangles.of(read(SQUARE.replace("\n", "\r\n")))).isEqualTo(MeshTriangles.of(mesh));
+    }
+
+    /** Two triangles of a square, of which each has the mean colour of its corners. */
+    @Test
+    void coloursOfVertices() throws IOException {
+        String coloured = """
+                ply
+                format ascii 1.0
+                element vertex 4
+                property float x
+                property uchar red
+                property uchar green
+                property float y
+                property uchar blue
+                property float z
+                element face 2
+                property list uchar int vertex_indices
+                end_header
+                0 255 0 0 30 0
+                1 255 0 0 60 0
+                1 255 0 1 90 0
+                0 0 200 1 0 0
+                3 0 1 2
+                3 0 2 3
+                """;
+        MeshObject mesh = read(coloured);
+        assertThat(mesh.vertices()).hasSize(4);
+        assertThat(mesh.material().texture()).isInstanceOf(ImageTexture.class);
+        ImageTexture palette = (ImageTexture) mesh.material().texture();
+        TextureCoordinates places = mesh.textureCoordinates();
+        assertThat(places).isNotNull();
+        int[] seen = new int[2];
+        for (int face = 0; face < 2; face++) {
+            double u = places.coordinate(places.corners()[3 * face], 0);
+            seen[face] = palette.pixels()[(int) (u * palette.width())];
+        }
+        assertThat(seen).containsExactly(0xff003c, 0xaa4328); // 510 / 3, 200 / 3 and 120 / 3
+        String one = coloured.replace("0 200 1 0 0", "255 0 1 60 0").replaceAll(" (30|90) 0\n", " 60 0\n");
+        assertThat(read(one).material()).isEqualTo(Material.of(Color.parse("#ff003c")));
+        String shares = one.replace("uchar red", "float red")
+                .replace("uchar green", "float green")
+                .replace("uchar blue", "double blue")
+                .replace(" 255 0 ", " 1.0 0 ")
+                .replace(" 60 0\n", " 0.2352941176470588 0\n");
+        assertThat(read(shares).material()).isEqualTo(Material.of(Color.parse("#ff003c")));
+        String partly = coloured.replace("uchar blue", "uchar alpha");
+        assertThat(read(partly).material().isDefault())
+                .as("no colour without blue")
+                .isTrue();
     }
 
     @Test

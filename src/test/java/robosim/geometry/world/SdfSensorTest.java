@@ -199,13 +199,14 @@ public class SdfSensorTest {
     @Test
     void whatIsIgnoredOfALensIsNamed() throws IOException, WorldException {
         String[][] cases = {
-            {"<lens><intrinsics><fx>277</fx><fy>277</fy><cx>80</cx></intrinsics></lens>", ""},
-            {"<distortion><k1>-0.1</k1></distortion>", ""},
-            {"<lens><intrinsics><s>0.5</s></intrinsics></lens>", "<s> of <lens><intrinsics>"},
+            {"<lens><intrinsics><fx>277</fx><fy>277</fy><cx>80</cx><s>0.0</s></intrinsics></lens>", ""},
+            {"<lens><intrinsics><s>0.1</s></intrinsics></lens>", "<s> of <lens><intrinsics>"},
+            {"<distortion><k1>-0.3</k1><center>0.5 0.5</center></distortion>", ""},
+            {"<distortion><k1>-0.3</k1><center>0.4 0.5</center></distortion>", "<center> of <distortion>"},
             {"<lens><type>stereographic</type><intrinsics/></lens>", ""},
             {
-                "<lens><projection><p_fx>2</p_fx></projection></lens><distortion><p2>.01</p2></distortion>",
-                "<lens><projection>"
+                "<lens><projection><p_fx>2</p_fx></projection></lens><distortion><center>0 0</center></distortion>",
+                "<center> of <distortion>, <lens><projection>"
             },
             {"", ""}
         };
@@ -229,6 +230,31 @@ public class SdfSensorTest {
             assertThat(remarks.stream().filter(remark -> remark.contains("is ignored")))
                     .hasSameSizeAs(ignored);
         }
+    }
+
+    /** Each number of the file is that of the image, and what is left out follows from the field of view. */
+    @Test
+    void lensAndDistortion() throws IOException, WorldException {
+        String lens = "<camera><horizontal_fov>1.5707963267948966</horizontal_fov><image><width>320</width>"
+                + "<height>240</height></image><lens><intrinsics><fx>277</fx><cx>80</cx></intrinsics></lens><distortion>"
+                + "<k1>-0.03</k1><k2>0.02</k2><k3>0.005</k3><p1>0.001</p1><p2>-0.002</p2></distortion></camera>";
+        SdfSensor photo = found(ROBOT.replace(
+                        "<sensor name=\"photo\" type=\"camera\"><camera/>",
+                        "<sensor name=\"photo\" type=\"camera\">" + lens))
+                .get(3);
+        Intrinsics seen = photo.intrinsics();
+        Intrinsics usual = Intrinsics.fieldOfView(320, 240, photo.fieldOfView());
+        assertThat(seen)
+                .isEqualTo(new Intrinsics(
+                        320,
+                        240,
+                        277,
+                        usual.fy(),
+                        80,
+                        usual.cy(),
+                        Intrinsics.Distortion.brownConrady(-0.03, 0.02, 0.001, -0.002, 0.005)));
+        assertThat(usual.fy()).isCloseTo(160, within(1e-9)); // a quarter turn is as wide as twice its distance
+        assertThat(found(ROBOT).get(3).intrinsics().distortion().isNone()).isTrue();
     }
 
     @Test

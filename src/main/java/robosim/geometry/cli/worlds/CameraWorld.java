@@ -13,6 +13,7 @@ import robosim.geometry.exact.VectorMath;
 import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
@@ -30,7 +31,13 @@ import robosim.geometry.world.shared.Placement;
 /** A world as a camera sees it: with heights, whatever its dimension is, and on a floor. */
 final class CameraWorld {
     /** A light and warm grey, on which shadows show. */
-    private static final Material FLOOR = Material.of(Color.parse("#c9c5bd")).withSpecular(0);
+    private static final Color LIGHT = Color.parse("#d8d4cb");
+
+    /** How much darker every other tile is: enough to tell sizes and distances, too little to draw attention. */
+    private static final double DARKER = 0.96;
+
+    /** About so many tiles lie along the world. */
+    private static final int TILES = 24;
 
     /** The floor reaches beyond what stands on it by this share. */
     private static final double RIM = 0.04;
@@ -72,38 +79,62 @@ final class CameraWorld {
         double most = 2 * Math.max(largest(content), Math.max(world.width(), Math.max(world.height(), world.length())));
         double side = 4 * most * (ground == Ground.WIDE ? HORIZON : 1);
         geometry = new Geometry(side, side, side, Dimension.SPATIAL, world.accuracy());
+        boolean isLaid = ground == Ground.NONE;
         for (WorldObject object : world.objects()) {
             GeometryObject seen = object.object().seen();
-            if (seen != null && isBareFloor(seen)) {
-                seen = seen.withMaterial(FLOOR); // as the ground around it
+            if (ground == Ground.WIDE && seen instanceof BoxObject box && isGround(box)) {
+                seen = wide(box, HORIZON * most, tile());
+                isLaid = true;
             }
             if (seen != null) {
                 geometry.addObjectUnchecked(seen);
                 numbers.put(seen, numbers.size() + 1);
             }
         }
-        if (ground != Ground.NONE) {
-            lay(ground, most);
+        if (!isLaid) {
+            geometry.addObjectUnchecked(laid(ground, most));
         }
     }
 
-    /** Lays what all stands on. */
-    private void lay(Ground ground, double most) {
-        double width = content.maxX() - content.minX();
-        double length = content.maxZ() - content.minZ();
-        double rim = ground == Ground.WIDE ? HORIZON * most : RIM * Math.max(width, length);
-        double thick = Math.max(RIM * Math.max(width, length), (content.maxY() - content.minY()) / 20) / 2;
-        Point middle = middle(content);
-        geometry.addObjectUnchecked(new BoxObject(
-                        new Point(middle.x(), content.minY() - thick / 2, middle.z()),
-                        width + 2 * rim,
-                        thick,
-                        length + 2 * rim)
-                .withMaterial(FLOOR));
+    /** The side of a tile: 1, 2 or 5 times a power of ten. */
+    private double tile() {
+        double least = Math.max(content.maxX() - content.minX(), content.maxZ() - content.minZ()) / TILES;
+        double ten = 1e-6;
+        while (10 * ten <= least) {
+            ten *= 10;
+        }
+        return least <= ten ? ten : least <= 2 * ten ? 2 * ten : least <= 5 * ten ? 5 * ten : 10 * ten;
     }
 
-    private boolean isBareFloor(GeometryObject object) {
-        return object.material().isDefault() && Floor.isFloor(object, world.width(), world.length());
+    /** Whether a box is what an infinite plane became, or the lowest floor and without a look of its own, and is no ceiling. */
+    private boolean isGround(BoxObject box) {
+        boolean isPlane = box.height() == Floor.THICKNESS;
+        return Floor.isFloor(box, world.width(), world.length())
+                && (isPlane || box.material().isDefault())
+                && box.material().texture() == null
+                && box.bounds().maxY()
+                        <= (isPlane ? content.maxY() : middle(content).y());
+    }
+
+    /** A floor that reaches as far as one can see, in tiles of its own colour, of which one begins at the origin. */
+    private static BoxObject wide(BoxObject floor, double reach, double tile) {
+        double side = 4 * tile * Math.ceil(reach / (2 * tile));
+        Material own = floor.material().isDefault() ? Material.of(LIGHT).withSpecular(0) : floor.material();
+        Color color = own.color();
+        Color darker = new Color(DARKER * color.red(), DARKER * color.green(), DARKER * color.blue());
+        return Floor.filling(floor, side, side).withMaterial(own.withTexture(new Texture.Checker(color, darker, tile)));
+    }
+
+    /** What all stands on. */
+    private BoxObject laid(Ground ground, double most) {
+        double width = content.maxX() - content.minX();
+        double length = content.maxZ() - content.minZ();
+        double rim = RIM * Math.max(width, length);
+        double thick = Math.max(rim, (content.maxY() - content.minY()) / 20) / 2;
+        Point middle = middle(content);
+        Point center = new Point(middle.x(), content.minY() - thick / 2, middle.z());
+        BoxObject floor = new BoxObject(center, width + 2 * rim, thick, length + 2 * rim);
+        return ground == Ground.WIDE ? wide(floor, HORIZON * most, tile()) : floor;
     }
 
     private static void see(GeometryObject object, Consumer<GeometryObject> seen) {

@@ -22,7 +22,7 @@ final class GltfAccessor {
         type = accessor.whole("componentType");
         size = size(accessor, type);
         isNormalized = accessor.isTrue("normalized");
-        String shape = parts == 3 ? "VEC3" : "SCALAR";
+        String shape = parts == 1 ? "SCALAR" : "VEC" + parts;
         if (!accessor.text("type").equals(shape)) {
             throw accessor.wrong("its type must be " + shape + " (got: " + accessor.text("type") + ")");
         }
@@ -31,7 +31,7 @@ final class GltfAccessor {
     /**
      * The numbers of an accessor, one element behind the other.
      *
-     * @param parts how many numbers an element has: 1 or 3
+     * @param parts how many numbers an element has: 1 to 3
      */
     static double[] read(GltfFile file, int index, int parts) throws FileProblem {
         GltfAccessor accessor = new GltfAccessor(file, file.root.item("accessors", index), parts);

@@ -4,9 +4,13 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.CountedStream;
@@ -17,10 +21,14 @@ import robosim.geometry.world.shared.PlainBytes;
 
 /**
  * The surface of a PLY file (G. Turk, The PLY polygon file format, 1994): its faces of any number of corners and its strips
- * of triangles. Equal vertices are joined, and properties and elements of no shape are skipped.
+ * of triangles. A face has the mean colour of its vertices. Equal vertices are joined, and other properties and elements are
+ * skipped.
  */
 public final class PlySurface {
     private static final Set<String> CORNERS = Set.of("vertex_indices", "vertex_index");
+
+    /** More colours than these are rounded, so that a palette of all of them is a small picture. */
+    private static final int MOST_COLORS = 4096;
 
     private final String source;
     private final double scale;
@@ -29,6 +37,9 @@ public final class PlySurface {
 
     private double[] coordinates = {};
     private int count;
+
+    /** By vertex, 0xRRGGBB; empty if they have none. */
+    private int[] colors = {};
 
     /** Polygons as they are read: the vertices may follow them. */
     private final List<int[]> polygons = new ArrayList<>();
@@ -77,6 +88,11 @@ public final class PlySurface {
         }
         List<Point> vertices = points();
         List<int[]> faces = new ArrayList<>();
+        List<String> names = new ArrayList<>(); // of the colours of faces
+        int rounding = colors.length == 0
+                        || polygons.stream().mapToInt(this::color).distinct().count() <= MOST_COLORS
+                ? 0xffffff
+                : 0xf0f0f0;
         for (int[] polygon : polygons) {
             if (faces.size() + polygon.length - 2 > Limits.MAX_FACES) {
                 throw new FileProblem(
@@ -85,11 +101,18 @@ public final class PlySurface {
                                 + " faces, cut into triangles; simplify or split it (got: more)");
             }
             Polygon.cutOrFan(vertices, polygon, faces);
+            if (colors.length > 0) {
+                String name = String.format(Locale.ROOT, "#%06x", color(polygon) & rounding);
+                names.addAll(Collections.nCopies(faces.size() - names.size(), name));
+            }
         }
         try {
             JoinedFaces joined = new JoinedFaces();
-            joined.add(vertices, faces, AffineTransform.NONE);
-            return joined.mesh();
+            joined.add(
+                    new JoinedFaces.Part(vertices, faces, List.of(), new double[0], names),
+                    AffineTransform.NONE,
+                    name -> name);
+            return names.isEmpty() ? joined.mesh() : joined.mesh(name -> Material.of(Color.parse(name)));
         } catch (IllegalArgumentException e) {
             throw new FileProblem(source, String.valueOf(e.getMessage()), e);
         }
@@ -115,6 +138,19 @@ public final class PlySurface {
             }
         }
         return List.of(points);
+    }
+
+    /** The mean of the colours of its corners. */
+    private int color(int[] polygon) {
+        int color = 0;
+        for (int shift = 0; shift <= 16; shift += 8) {
+            int sum = 0;
+            for (int corner : polygon) {
+                sum += colors[corner] >> shift & 0xff;
+            }
+            color |= ((sum + polygon.length / 2) / polygon.length) << shift;
+        }
+        return color;
     }
 
     private Point point(int index) throws FileProblem {
@@ -144,15 +180,13 @@ public final class PlySurface {
         int[] axes = new int[element.properties().size()];
         int known = 0;
         for (int k = 0; k < axes.length; k++) {
-            PlyHeader.Property property = element.properties().get(k);
-            int axis = property.count() != null || property.name().length() != 1 ? -1 : "xyz".indexOf(property.name());
-            axes[k] = axis;
-            known |= axis < 0 ? 0 : 1 << axis;
+            axes[k] = axis(element.properties().get(k));
+            known |= axes[k] < 0 ? 0 : 1 << axes[k];
         }
-        if (known != 0b111) {
+        if ((known & 0b111) != 0b111) {
             throw new FileProblem(source, "the element vertex must have the properties x, y and z (got: not all)");
         }
-        double[] place = new double[3];
+        double[] place = new double[6];
         for (long row = 0; row < element.count(); row++) {
             numbers.at(element, row);
             for (int k = 0; k < axes.length; k++) {
@@ -161,6 +195,7 @@ public final class PlySurface {
                     skip(property);
                 } else {
                     place[axes[k]] = numbers.next(property, property.type());
+                    place[axes[k]] *= axes[k] < 3 ? 1 : levels(property.type());
                 }
             }
             if (count + 3 > Limits.MAX_NUMBERS) {
@@ -169,10 +204,42 @@ public final class PlySurface {
             }
             if (count == coordinates.length) {
                 coordinates = Arrays.copyOf(coordinates, Math.max(96, 2 * count));
+                colors = known == 0b111111 ? Arrays.copyOf(colors, coordinates.length / 3) : colors;
             }
             System.arraycopy(place, 0, coordinates, count, 3);
+            if (known == 0b111111) {
+                colors[count / 3] = level(place[3]) << 16 | level(place[4]) << 8 | level(place[5]);
+            }
             count += 3;
         }
+    }
+
+    /** Which number of a vertex a property is, coordinate or colour; -1 if neither. */
+    private static int axis(PlyHeader.Property property) {
+        return property.count() != null
+                ? -1
+                : switch (property.name()) {
+                    case "x" -> 0;
+                    case "y" -> 1;
+                    case "z" -> 2;
+                    case "red", "diffuse_red" -> 3;
+                    case "green", "diffuse_green" -> 4;
+                    case "blue", "diffuse_blue" -> 5;
+                    default -> -1;
+                };
+    }
+
+    /** What a number of a colour is multiplied by to be from 0 to 255: one with a fraction is a share. */
+    private static double levels(PlyHeader.Type type) {
+        return switch (type) {
+            case FLOAT32, FLOAT64 -> 255;
+            case UINT16, INT16 -> 255 / 65535.0;
+            default -> 1;
+        };
+    }
+
+    private static int level(double number) {
+        return (int) Math.rint(Math.min(Math.max(0, number), 255)); // 0 of NaN
     }
 
     /** Faces, or strips of triangles. */

@@ -40,7 +40,7 @@ public final class SdfNames {
             lens: intrinsics projection
             intrinsics: fx fy cx cy s
             projection: p_fx p_fy p_cx p_cy tx ty
-            distortion: k1 k2 k3 p1 p2
+            distortion: k1 k2 k3 p1 p2 center
             image: width height
             clip: near far
             noise: type mean stddev bias_mean bias_stddev precision dynamic_bias_stddev dynamic_bias_correlation_time
