@@ -24,6 +24,9 @@ final class SequentialImpulses {
 
     private static final double ALL = 1 - 1e-6;
 
+    /** What is too near is parted in no less, seconds: else it would hop, and not be driven until it is down again. */
+    private static final double PARTS = 1e-3;
+
     /** So often contacts are found to slide that were not. */
     private static final int MOST_SLIPS = 4;
 
@@ -308,7 +311,8 @@ final class SequentialImpulses {
         } else if (apart > 2 * gap) {
             target[k] = -(apart - 2 * gap) / seconds;
         } else {
-            target[k] = apart < gap / 4 ? (gap / 4 - apart) / seconds : 0;
+            double time = gap > TurningSweep.GAP ? seconds : Math.max(seconds, PARTS);
+            target[k] = apart < gap / 4 ? (gap / 4 - apart) / time : 0;
         }
         if (atEnd && before > INEXACT) {
             // What separates now and is caught up with comes back at most as fast as it goes: then no impulse in
