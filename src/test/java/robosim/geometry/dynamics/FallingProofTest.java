@@ -223,6 +223,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("de5d8a41f5ad28d7");
+        assertThat(Long.toHexString(digest)).isEqualTo("467f5f244e4f61f6");
     }
 }

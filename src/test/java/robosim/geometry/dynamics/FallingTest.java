@@ -190,6 +190,33 @@ class FallingTest {
         }
     }
 
+    /** With less friction once it slides: at whatever angle static friction is overcome, it slides at once, and only there. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-1, -0.01, -0.001, 0.001, 0.01, 0.1, 1, 5})
+    void aBlockSlidesAtOnceWhereStaticFrictionIsOvercome(double beyond) {
+        for (double size : new double[] {0.4, 1}) {
+            Geometry world = world();
+            double[] r = tipped(StrictMath.toDegrees(StrictMath.atan(0.5)) + beyond);
+            world.addObject(
+                    new BoxObject(new Point(0, 0, 0), 40, 1, 40).oriented(r).named("slope"));
+            double high = 0.5 + 0.1 + RESTS;
+            BoxObject block = new BoxObject(new Point(r[1] * high, r[4] * high, 0), size, 0.2, size);
+            Dynamics dynamics = one(world, block.oriented(r), new Surface(0, 0.5, 0.4));
+            Point from = world.getObject("body").center();
+            dynamics.step(1);
+            double acceleration = beyond < 0 ? 0 : G * (r[3] - 0.4 * r[0]);
+            assertThat(way(from, world)).isCloseTo(acceleration / 2, within(1e-8));
+            assertThat(dynamics.spatialVelocity("body").speed()).isCloseTo(acceleration, within(1e-8));
+            dynamics.step(beyond < 0 ? 9 : 1);
+            assertThat(way(from, world)).isCloseTo(2 * acceleration, within(1e-8));
+        }
+    }
+
+    private static double way(Point from, Geometry world) {
+        Point to = world.getObject("body").center();
+        return StrictMath.hypot(to.x() - from.x(), to.y() - from.y());
+    }
+
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void aTallBlockTipsOverWhereItsCentreIsBesideItsBase(boolean isCylinder) {

@@ -117,6 +117,39 @@ class StepProofTest {
         assertThat(result.ended().get(0).phase()).isEqualTo(BodyContact.Phase.END);
     }
 
+    /** A rough disc that has less room between two walls than bodies keep turns as if it were alone. */
+    @Test
+    void aDiscTurnsInASlotHardlyWiderThanItself() {
+        SplittableRandom random = new SplittableRandom(4);
+        for (int run = 0; run < 60; run++) {
+            double gap = 2e-10 * random.nextInt(1, 4);
+            double beside = random.nextDouble(gap);
+            double yaw = run % 4 == 0 ? 0 : random.nextDouble(360);
+            double seconds = List.of(0.02, 0.1, 0.5).get(run % 3);
+            Geometry world = world(100);
+            Point at = new Point(random.nextDouble(-5, 5), 0, random.nextDouble(-5, 5));
+            for (int side = -1; side < 2; side += 2) {
+                double far = side < 0 ? -0.65 - beside : 0.65 + gap - beside;
+                double x = at.x() + far * StrictMath.cos(StrictMath.toRadians(yaw));
+                double z = at.z() - far * StrictMath.sin(StrictMath.toRadians(yaw));
+                Point middle = new Point(x, 0, z);
+                world.addObject(
+                        random.nextBoolean()
+                                ? new CylinderObject(middle, 0.4, 1)
+                                : new BoxObject(middle, 0.8, 1, 4).turned(0, yaw));
+            }
+            assertThat(world.addObject(disc("a", at.x(), at.z(), 0.25))).isTrue();
+            Dynamics dynamics = new Dynamics(world, new Surface(0.3, 0.5, 0.4));
+            dynamics.add("a", Body.of(20, 1));
+            dynamics.drive("a", new DifferentialDrive(0.4, 1, 2).driving(0, 60));
+            for (double time = 0; time < 1; time += seconds) {
+                assertThat(dynamics.step(seconds).stopped()).isEmpty();
+            }
+            assertThat(dynamics.velocity("a").ry()).as("run %d", run).isCloseTo(60, within(1e-9));
+            assertThat(world.getObject("a").center().x()).isCloseTo(at.x(), within(1e-9));
+        }
+    }
+
     /** A rack that is symmetric in z, hit in its middle, stays so to the bit. */
     @Test
     void aSymmetricRackBreaksSymmetrically() {

@@ -19,6 +19,14 @@ final class SequentialImpulses {
     /** What static friction holds slides more slowly, m/s. */
     private static final double SLIP = 1e-5;
 
+    /** The same where all contacts give all the friction that they can. */
+    private static final double SLIP_AT_MOST = 2e-8;
+
+    private static final double ALL = 1 - 1e-6;
+
+    /** What is too near is parted in no less, seconds: else it would hop, and not be driven until it is down again. */
+    private static final double PARTS = 1e-3;
+
     /** So often contacts are found to slide that were not. */
     private static final int MOST_SLIPS = 4;
 
@@ -104,6 +112,9 @@ final class SequentialImpulses {
         if (any) {
             iterate(contacts, atEnd);
         }
+        if (any && spread(contacts, atEnd)) {
+            iterate(contacts, atEnd);
+        }
         for (int k = 0; any && k < MOST_SLIPS && slips(contacts, atEnd); k++) {
             iterate(contacts, atEnd);
         }
@@ -154,12 +165,78 @@ final class SequentialImpulses {
         }
     }
 
+    /**
+     * Spreads the friction between two bodies, or of one with all that stands still, over their contacts as they are pressed,
+     * where all give what they can and slide; whether there are any. What early rounds have left of one that pulls against
+     * another hardly turns any more then, and would lack where it is needed.
+     */
+    private boolean spread(Contacts c, boolean atEnd) {
+        boolean any = false;
+        for (int k = 0; k < c.count; k++) {
+            if (isHeld(k) && isAtMost(c, k, atEnd)) {
+                spread(c, k, atEnd);
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    private void spread(Contacts c, int of, boolean atEnd) {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        double all = 0;
+        for (int k = 0; k < c.count; k++) {
+            if (isBeside(c, of, k)) {
+                double s = rubbed[2 * k];
+                double t = rubbed[2 * k + 1];
+                x += s * tangents[6 * k] + t * tangents[6 * k + 3];
+                y += s * tangents[6 * k + 1] + t * tangents[6 * k + 4];
+                z += s * tangents[6 * k + 2] + t * tangents[6 * k + 5];
+                all += pushed[k];
+            }
+        }
+        for (int k = 0; k < c.count; k++) {
+            if (isBeside(c, of, k)) {
+                double share = pushed[k] / all;
+                for (int which = 0; which < 2; which++) {
+                    int at = 6 * k + 3 * which;
+                    double along = x * tangents[at] + y * tangents[at + 1] + z * tangents[at + 2];
+                    double by = share * along - rubbed[2 * k + which];
+                    rubbed[2 * k + which] += by;
+                    give(c, k, tangents, at, by, atEnd);
+                }
+            }
+        }
+    }
+
+    /** Whether static friction may hold a contact. */
+    private boolean isHeld(int k) {
+        return !isOff[k] && wheel[k] < 0 && pushed[k] > 0 && friction[k] > slides[k];
+    }
+
+    /** Whether a contact presses the same two bodies as another one, or the same one against something that stands still. */
+    private boolean isBeside(Contacts c, int k, int m) {
+        return !isOff[m] && pushed[m] > 0 && c.body[m] == c.body[k] && c.other[m] == c.other[k];
+    }
+
+    /** Whether all contacts beside one slide and give all the friction that they can: one often does where others still hold. */
+    private boolean isAtMost(Contacts c, int of, boolean atEnd) {
+        boolean isAll = true;
+        for (int k = 0; isAll && k < c.count; k++) {
+            if (isBeside(c, of, k)) {
+                double given = Math.sqrt(rubbed[2 * k] * rubbed[2 * k] + rubbed[2 * k + 1] * rubbed[2 * k + 1]);
+                isAll = given >= ALL * friction[k] * pushed[k] && slidesBy(c, k, atEnd) > SLIP_AT_MOST;
+            }
+        }
+        return isAll;
+    }
+
     /** Lets those slide that static friction has not held; whether there are any. */
     private boolean slips(Contacts c, boolean atEnd) {
         boolean any = false;
         for (int k = 0; k < c.count; k++) {
-            boolean isHeld = !isOff[k] && wheel[k] < 0 && pushed[k] > 0 && friction[k] > slides[k];
-            if (isHeld && slidesBy(c, k, atEnd) > SLIP) {
+            if (isHeld(k) && (slidesBy(c, k, atEnd) > SLIP || isAtMost(c, k, atEnd))) {
                 friction[k] = slides[k];
                 any = true;
             }
@@ -234,7 +311,8 @@ final class SequentialImpulses {
         } else if (apart > 2 * gap) {
             target[k] = -(apart - 2 * gap) / seconds;
         } else {
-            target[k] = apart < gap / 4 ? (gap / 4 - apart) / seconds : 0;
+            double time = gap > TurningSweep.GAP ? seconds : Math.max(seconds, PARTS);
+            target[k] = apart < gap / 4 ? (gap / 4 - apart) / time : 0;
         }
         if (atEnd && before > INEXACT) {
             // What separates now and is caught up with comes back at most as fast as it goes: then no impulse in

