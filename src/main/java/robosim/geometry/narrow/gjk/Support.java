@@ -30,6 +30,9 @@ public final class Support {
     /** The sine below which a direction may lead to a cap. */
     private static final double NEARLY_STRAIGHT = 0.3;
 
+    /** The sine below which a direction is along the axis to within rounding. */
+    private static final double ALONG = 0x1p-48;
+
     /** The point found by {@link #find}. */
     public double x;
 
@@ -300,6 +303,16 @@ public final class Support {
     /** Whether the direction in which the point was found is nearly along the axis of a cylinder in space, but not quite. */
     boolean isNearCap() {
         return form == ROUND && heights > 0 && across < NEARLY_STRAIGHT && across > 0;
+    }
+
+    /** Whether it is along the axis, so that all of a cap is as far. */
+    boolean isAtCap() {
+        return form == ROUND && heights > 0 && across < ALONG;
+    }
+
+    /** Whether it is loaded in the plane. */
+    boolean isFlat() {
+        return heights == 0;
     }
 
     /** Whether a vector from a cap's centre ends above the cap. */
