@@ -105,6 +105,74 @@ final class RimStep {
         return point(sign * leaf.axisX, sign * leaf.axisY, sign * leaf.axisZ);
     }
 
+    /**
+     * Finds the nearest points of two points or segments, or of a box and a point, and their direction; returns their distance,
+     * +Infinity for other leaves. Points that belong to the leaves, which rounding may keep from being the nearest.
+     */
+    double meetAtOnce() {
+        if (first.ends() > 0 && second.ends() > 0) {
+            meetSegments();
+        } else if (first.isBox() && second.ends() == 1) {
+            meetBox(first, onA, second, onB);
+        } else if (second.isBox() && first.ends() == 1) {
+            meetBox(second, onB, first, onA);
+        } else {
+            return Double.POSITIVE_INFINITY;
+        }
+        double x = onA[0] - onB[0];
+        double y = onA[1] - onB[1];
+        double z = onA[2] - onB[2];
+        double length = Math.sqrt(x * x + y * y + z * z);
+        dx = x / length;
+        dy = y / length;
+        dz = z / length;
+        return length;
+    }
+
+    private static void meetBox(Support box, double[] onBox, Support point, double[] on) {
+        for (int axis = 0; axis < 3; axis++) {
+            on[axis] = point.corner(0, axis);
+        }
+        box.approach(on[0], on[1], on[2]);
+        onBox[0] = box.x;
+        onBox[1] = box.y;
+        onBox[2] = box.z;
+    }
+
+    /** By the two positions along the segments at which the derivatives of the distance are 0, or an end. */
+    private void meetSegments() {
+        int lastA = first.ends() - 1;
+        int lastB = second.ends() - 1;
+        double aa = 0;
+        double ab = 0;
+        double bb = 0;
+        double aw = 0;
+        double bw = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            onA[axis] = first.corner(0, axis);
+            onB[axis] = second.corner(0, axis);
+            edge[axis] = first.corner(lastA, axis) - onA[axis];
+            other[axis] = second.corner(lastB, axis) - onB[axis];
+            double way = onA[axis] - onB[axis];
+            aa += edge[axis] * edge[axis];
+            ab += edge[axis] * other[axis];
+            bb += other[axis] * other[axis];
+            aw += edge[axis] * way;
+            bw += other[axis] * way;
+        }
+        double s = share(ab * bw - aw * bb, aa * bb - ab * ab);
+        double t = share(ab * s + bw, bb);
+        s = share(ab * t - aw, aa);
+        for (int axis = 0; axis < 3; axis++) {
+            onA[axis] += s * edge[axis];
+            onB[axis] += t * other[axis];
+        }
+    }
+
+    private static double share(double part, double whole) {
+        return part > 0 && whole > 0 ? Math.min(1, part / whole) : 0;
+    }
+
     /** Whether the other leaf's point, found along a cylinder's axis, is above the cap. */
     boolean isAboveCap(boolean ofFirst) {
         Support leaf = ofFirst ? first : second;

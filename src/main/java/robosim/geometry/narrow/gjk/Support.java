@@ -310,6 +310,33 @@ public final class Support {
         return form == ROUND && heights > 0 && across < ALONG;
     }
 
+    /** The number of ends of a point or a segment with a margin, else 0. */
+    int ends() {
+        return form == POINTS && count < 3 ? count : 0;
+    }
+
+    /** Whether it is a box in space. */
+    boolean isBox() {
+        return form == PARALLELEPIPED && heights > 0;
+    }
+
+    /** Finds a box's point nearest to a point, to within rounding. */
+    void approach(double qx, double qy, double qz) {
+        double ox = qx - centreX;
+        double oy = qy - centreY;
+        double oz = qz - centreZ;
+        double s = part(ox * ux + oy * uy + oz * uz, ux * ux + uy * uy + uz * uz);
+        double t = part(ox * vx + oy * vy + oz * vz, vx * vx + vy * vy + vz * vz);
+        double q = part(ox * wx + oy * wy + oz * wz, wx * wx + wy * wy + wz * wz);
+        x = centreX + (s * ux + t * vx + q * wx);
+        y = centreY + (s * uy + t * vy + q * wy);
+        z = centreZ + (s * uz + t * vz + q * wz);
+    }
+
+    private static double part(double along, double square) {
+        return square > 0 ? Math.max(-1, Math.min(1, along / square)) : 0;
+    }
+
     /** Whether it is loaded in the plane. */
     boolean isFlat() {
         return heights == 0;
