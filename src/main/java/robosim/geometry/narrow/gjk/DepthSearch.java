@@ -1,13 +1,27 @@
 package robosim.geometry.narrow.gjk;
 
+import robosim.geometry.exact.VectorMath;
+
 /**
- * A pattern search for directions in which one leaf gets out of another by a short translation. It finds local minima
- * to some 2^-30 of an angle and adds them to the list of directions.
+ * A search for directions in which one leaf gets out of another by a short translation. It finds local minima to some
+ * 2^-30 of an angle and adds them to the list of directions: by the corners that a pattern of tries around a direction
+ * finds, {@link RimStep} leads from the pattern to the minimum; where it does not, the pattern is drawn closer.
  */
 final class DepthSearch {
     private static final int MOST_PROBES = 600;
     private static final double FIRST_STEP = 0.5;
     private static final double LAST_STEP = 0x1p-30;
+
+    /** On a circle: minima at which two corners tie are directions of sides, or across edges, which need no search. */
+    private static final double LAST_ON_CIRCLE = 0x1p-8;
+
+    /** A proposal this near, of a method that doubles the digits with each, is the minimum. */
+    private static final double MEETS = 0x1p-26;
+
+    private static final int MOST_PROPOSALS = 8;
+
+    /** Around the direction of a flat side a pattern this small does not miss a way down. */
+    private static final double CLOSE = 0x1p-8;
 
     /** Directions tried around an edge before the best is refined, a 15-8-17 triangle's angle apart: 28 degrees. */
     private static final int SPREAD = 13;
@@ -28,23 +42,36 @@ final class DepthSearch {
     private double searchZ;
     private double searchDepth;
     private int probes;
+    private final RimStep rims;
+    private boolean isMet;
+
+    /** How often a direction was tried since it was last set. */
+    int tries;
+
+    /** The corners found by the last tries around the direction. */
+    private final int[] around = new int[4];
 
     /** For two leaves loaded relative to the same origin and at the same scale; the first is to get out. */
     DepthSearch(Support first, Support second, Directions directions) {
         this.first = first;
         this.second = second;
         this.directions = directions;
+        this.rims = new RimStep(first, second);
     }
 
     /** How far a has to move along a unit direction until the supporting planes meet. */
     double depth(double dx, double dy, double dz) {
-        first.find(-dx, -dy, -dz);
-        second.find(dx, dy, dz);
+        find(dx, dy, dz);
         return dx * (second.x - first.x)
                 + dy * (second.y - first.y)
                 + dz * (second.z - first.z)
                 + first.margin
                 + second.margin;
+    }
+
+    private void find(double dx, double dy, double dz) {
+        first.find(-dx, -dy, -dz);
+        second.find(dx, dy, dz);
     }
 
     /** Searches the circle perpendicular to a unit direction, from the best of some directions spread over it. */
@@ -77,11 +104,14 @@ final class DepthSearch {
             c = turned;
         }
         probes = 0;
-        for (double step = SPREAD_SIN; step > LAST_STEP && probes < MOST_PROBES; ) {
+        for (double step = SPREAD_SIN; step > LAST_ON_CIRCLE && probes < MOST_PROBES; ) {
             double ax = step * (ey * searchZ - ez * searchY);
             double ay = step * (ez * searchX - ex * searchZ);
             double az = step * (ex * searchY - ey * searchX);
             if (!tryAt(ax, ay, az) && !tryAt(-ax, -ay, -az)) {
+                if (meetsOnCircle(ex, ey, ez)) {
+                    break;
+                }
                 step *= 0.5;
             }
         }
@@ -99,6 +129,9 @@ final class DepthSearch {
         double turnS = 0;
         for (double step = FIRST_STEP; step > LAST_STEP && probes < MOST_PROBES; ) {
             if (!improve(step, turnC, turnS)) {
+                if (meets(step)) {
+                    break;
+                }
                 step *= 0.5;
                 // A different star of directions each time, so that no valley stays between its arms.
                 double c = 0.8 * turnC - 0.6 * turnS;
@@ -107,6 +140,55 @@ final class DepthSearch {
             }
         }
         directions.take(searchX, searchY, searchZ, searchDepth);
+    }
+
+    /** Follows the proposals for the corners around as long as they are shallower; whether they end at a minimum. */
+    private boolean meets(double step) {
+        boolean isClose = step < CLOSE;
+        find(searchX, searchY, searchZ);
+        for (int k = 0; k < 2; k++) {
+            if ((k == 0 ? first : second).isAtCap()) {
+                return isClose || rims.isAboveCap(k == 0);
+            }
+            if (rims.proposeCap(k == 0, searchX, searchY, searchZ)) {
+                if (take(rims.dx, rims.dy, rims.dz)) {
+                    return false;
+                }
+                find(searchX, searchY, searchZ);
+            }
+        }
+        for (int n = 0; n < MOST_PROPOSALS; n++) {
+            rims.begin(Simplex.corners(first, second));
+            for (int each : around) {
+                rims.addCorner(each);
+            }
+            if (!rims.propose(searchX, searchY, searchZ) || !rims.isMost) {
+                return false;
+            }
+            if (isLast()) {
+                return isMet && (isClose || rims.meet() < Double.POSITIVE_INFINITY);
+            }
+        }
+        return false;
+    }
+
+    /** Tries a proposal; whether it is the last, of a minimum or as it is not shallower. */
+    private boolean isLast() {
+        isMet = VectorMath.largest(rims.dx - searchX, rims.dy - searchY, rims.dz - searchZ) < MEETS;
+        return !take(rims.dx, rims.dy, rims.dz) || isMet;
+    }
+
+    private boolean meetsOnCircle(double ex, double ey, double ez) {
+        find(searchX, searchY, searchZ);
+        for (int n = 0; n < MOST_PROPOSALS; n++) {
+            if (!rims.proposeAround(ex, ey, ez, searchX, searchY, searchZ) || !rims.isMost) {
+                return false;
+            }
+            if (isLast()) {
+                return isMet;
+            }
+        }
+        return false;
     }
 
     /** One round of tries around the current direction; moves to the first that is shallower. */
@@ -149,8 +231,16 @@ final class DepthSearch {
         dx /= length;
         dy /= length;
         dz /= length;
-        probes++;
+        boolean isShallower = take(dx, dy, dz);
+        around[probes & 3] = Simplex.corners(first, second);
+        return isShallower;
+    }
+
+    /** Tries a unit direction; moves there if it is shallower. */
+    private boolean take(double dx, double dy, double dz) {
         double depth = depth(dx, dy, dz);
+        probes++;
+        tries++;
         if (!(depth < searchDepth)) {
             return false;
         }

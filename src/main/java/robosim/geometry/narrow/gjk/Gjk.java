@@ -285,6 +285,10 @@ public final class Gjk {
             vy = 0;
             vz = 0;
         }
+        steps = 1;
+        if (meetsAtOnce()) {
+            return;
+        }
         boolean isRound = !first.isPolytope() || !second.isPolytope();
         double nearest = Double.POSITIVE_INFINITY;
         int stalls = 0;
@@ -333,6 +337,20 @@ public final class Gjk {
             vy = simplex.vy;
             vz = simplex.vz;
         }
+    }
+
+    /** Takes the nearest points of what has a closed form; whether the slab between them ends the query. */
+    private boolean meetsAtOnce() {
+        double near = rims.meetAtOnce();
+        takeRims(near);
+        if (isEnough()) {
+            return true;
+        }
+        if (!(near > error && near < Double.POSITIVE_INFINITY)) {
+            return false;
+        }
+        double reach = probe(rims.dx, rims.dy, rims.dz);
+        return isEnough() || near - reach <= Math.max(NARROW * near, error);
     }
 
     /** Whether the bracket decides whether the two touch, and that is all that is asked. */

@@ -10,7 +10,7 @@ import robosim.geometry.narrow.leaf.PairOrder;
  * <p>Between boxes, triangles and prisms the directions are those of separating axes (the sides of the difference set),
  * all of them where several tie; for a sphere or disc whose centre is outside the other it is the direction to the
  * nearest point. If a cylinder's rim is involved, the directions of flat sides and straight edges, of the widest slab
- * that {@link Gjk} saw and of the centres are refined by a pattern search, and a polytope expanded inside the
+ * that {@link Gjk} saw and of the centres are refined by a search ({@link DepthSearch}), and a polytope expanded inside the
  * difference set ({@link ExpandingPolytope}) proves that there is nothing shallower, or leads the search there.
  *
  * <p>On the safe side: a turn that starts in contact may go on as long as no depth on the arc is above the one at the
@@ -66,6 +66,11 @@ public final class Penetration {
     /** A proven lower bound of the depth; at most the depth returned. */
     public double proven() {
         return proven;
+    }
+
+    /** How many directions the search of the last query tried. */
+    int tries() {
+        return search.tries;
     }
 
     /** The number of directions that tie; at least 1. */
@@ -198,6 +203,7 @@ public final class Penetration {
         }
         margins = first.margin + second.margin;
         search.flat = flat;
+        search.tries = 0;
     }
 
     /**

@@ -8,6 +8,8 @@ package robosim.geometry.narrow.gjk;
  * rim the point farthest in a direction d moves by {@code bend t (t.d')} as d turns by d', so the difference p(d) of the
  * two that are farthest is parallel to d, less a combination of the edges, at a d that solves a system of two unknowns.
  *
+ * <p>Of leaves that overlap it finds the direction of least depth in the same way ({@link DepthSearch}).
+ *
  * <p>A guess only: what it proposes is tried as any other direction, and the points it gives belong to the leaves.
  */
 final class RimStep {
@@ -34,6 +36,9 @@ final class RimStep {
     private final double[] other = new double[3];
     int edges;
 
+    /** Whether the direction proposed is near one where the reach is greatest, not least or neither. */
+    boolean isMost;
+
     RimStep(Support first, Support second) {
         this.first = first;
         this.second = second;
@@ -44,8 +49,44 @@ final class RimStep {
      * at the simplex's corners, or if there is nothing to propose.
      */
     boolean propose(Simplex simplex, double nx, double ny, double nz) {
-        if (!takeCorners(simplex)) {
+        int now = Simplex.corners(first, second);
+        boolean isKnown = false;
+        begin(now);
+        for (int k = 0; k < simplex.count(); k++) {
+            isKnown |= simplex.corners(k) == now;
+            if (!addCorner(simplex.corners(k))) {
+                return false;
+            }
+        }
+        return isKnown && propose(nx, ny, nz);
+    }
+
+    /** Begins with the corners of the points found last; others that are as near follow by {@link #addCorner}. */
+    void begin(int now) {
+        corners[0] = now;
+        edges = 0;
+    }
+
+    /** Adds a corner unless it is known; false if it is one too many. */
+    boolean addCorner(int each) {
+        for (int k = 0; k <= edges; k++) {
+            if (each == corners[k]) {
+                return true;
+            }
+        }
+        if (edges == (first.isFlat() ? 1 : 2)) {
             return false;
+        }
+        corners[++edges] = each;
+        return true;
+    }
+
+    /** Proposes the next direction from that in which the points were found, for the corners added. */
+    boolean propose(double nx, double ny, double nz) {
+        for (int axis = 0; axis < 3; axis++) {
+            base[axis] = corner(corners[0], axis);
+            edge[axis] = edges > 0 ? corner(corners[1], axis) - base[axis] : 0;
+            other[axis] = edges > 1 ? corner(corners[2], axis) - base[axis] : 0;
         }
         return switch (edges) {
             case 0 -> free(nx, ny, nz);
@@ -62,6 +103,84 @@ final class RimStep {
         }
         double sign = leaf.axisX * nx + leaf.axisY * ny + leaf.axisZ * nz < 0 ? -1 : 1;
         return point(sign * leaf.axisX, sign * leaf.axisY, sign * leaf.axisZ);
+    }
+
+    /**
+     * Finds the nearest points of two points or segments, or of a box and a point, and their direction; returns their distance,
+     * +Infinity for other leaves. Points that belong to the leaves, which rounding may keep from being the nearest.
+     */
+    double meetAtOnce() {
+        if (first.ends() > 0 && second.ends() > 0) {
+            meetSegments();
+        } else if (first.isBox() && second.ends() == 1) {
+            meetBox(first, onA, second, onB);
+        } else if (second.isBox() && first.ends() == 1) {
+            meetBox(second, onB, first, onA);
+        } else {
+            return Double.POSITIVE_INFINITY;
+        }
+        double x = onA[0] - onB[0];
+        double y = onA[1] - onB[1];
+        double z = onA[2] - onB[2];
+        double length = Math.sqrt(x * x + y * y + z * z);
+        dx = x / length;
+        dy = y / length;
+        dz = z / length;
+        return length;
+    }
+
+    private static void meetBox(Support box, double[] onBox, Support point, double[] on) {
+        for (int axis = 0; axis < 3; axis++) {
+            on[axis] = point.corner(0, axis);
+        }
+        box.approach(on[0], on[1], on[2]);
+        onBox[0] = box.x;
+        onBox[1] = box.y;
+        onBox[2] = box.z;
+    }
+
+    /** By the two positions along the segments at which the derivatives of the distance are 0, or an end. */
+    private void meetSegments() {
+        int lastA = first.ends() - 1;
+        int lastB = second.ends() - 1;
+        double aa = 0;
+        double ab = 0;
+        double bb = 0;
+        double aw = 0;
+        double bw = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            onA[axis] = first.corner(0, axis);
+            onB[axis] = second.corner(0, axis);
+            edge[axis] = first.corner(lastA, axis) - onA[axis];
+            other[axis] = second.corner(lastB, axis) - onB[axis];
+            double way = onA[axis] - onB[axis];
+            aa += edge[axis] * edge[axis];
+            ab += edge[axis] * other[axis];
+            bb += other[axis] * other[axis];
+            aw += edge[axis] * way;
+            bw += other[axis] * way;
+        }
+        double s = share(ab * bw - aw * bb, aa * bb - ab * ab);
+        double t = share(ab * s + bw, bb);
+        s = share(ab * t - aw, aa);
+        for (int axis = 0; axis < 3; axis++) {
+            onA[axis] += s * edge[axis];
+            onB[axis] += t * other[axis];
+        }
+    }
+
+    private static double share(double part, double whole) {
+        return part > 0 && whole > 0 ? Math.min(1, part / whole) : 0;
+    }
+
+    /** Whether the other leaf's point, found along a cylinder's axis, is above the cap. */
+    boolean isAboveCap(boolean ofFirst) {
+        Support leaf = ofFirst ? first : second;
+        Support from = ofFirst ? second : first;
+        return leaf.isOnCap(
+                from.x - leaf.corner(leaf.corner, 0),
+                from.y - leaf.corner(leaf.corner, 1),
+                from.z - leaf.corner(leaf.corner, 2));
     }
 
     /** The same as {@link #meet} for a cap and the point of the other leaf that was found along its axis. */
@@ -81,32 +200,6 @@ final class RimStep {
         on[1] = other.y - height * dy;
         on[2] = other.z - height * dz;
         return leaf.isOnCap(ox, oy, oz) ? Math.abs(height) : Double.POSITIVE_INFINITY;
-    }
-
-    private boolean takeCorners(Simplex simplex) {
-        int now = Simplex.corners(first, second);
-        boolean isKnown = false;
-        edges = 0;
-        corners[0] = now;
-        for (int k = 0; k < simplex.count(); k++) {
-            int each = simplex.corners(k);
-            isKnown |= each == now;
-            if (each != now && (edges == 0 || each != corners[1])) {
-                if (edges == 2) {
-                    return false;
-                }
-                corners[++edges] = each;
-            }
-        }
-        if (!isKnown) {
-            return false;
-        }
-        for (int axis = 0; axis < 3; axis++) {
-            base[axis] = corner(now, axis);
-            edge[axis] = edges > 0 ? corner(corners[1], axis) - base[axis] : 0;
-            other[axis] = edges > 1 ? corner(corners[2], axis) - base[axis] : 0;
-        }
-        return true;
     }
 
     private double corner(int both, int axis) {
@@ -144,6 +237,7 @@ final class RimStep {
         double spanned = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx);
         double whole = reach * (reach + bendA + bendB) + a * b * spanned * spanned;
         double all = (reach + bendA + bendB) / whole;
+        isMost = first.isFlat() ? all * whole > 0 : whole > 0 && all * whole + reach > 0;
         double alongA = a * (ax * px + ay * py + az * pz) / whole;
         double alongB = b * (bx * px + by * py + bz * pz) / whole;
         return point(
@@ -172,6 +266,7 @@ final class RimStep {
         double whole = reach
                 + a * (first.tangentX * ex + first.tangentY * ey + first.tangentZ * ez)
                 + b * (second.tangentX * ex + second.tangentY * ey + second.tangentZ * ez);
+        isMost = whole > 0 || first.isFlat();
         double fx = dx - nx;
         double fy = dy - ny;
         double fz = dz - nz;
@@ -180,6 +275,18 @@ final class RimStep {
                 + b * (second.tangentX * fx + second.tangentY * fy + second.tangentZ * fz);
         double turn = (px * ex + py * ey + pz * ez - moved) / whole;
         return point(dx + turn * ex, dy + turn * ey, dz + turn * ez);
+    }
+
+    /** The same for a circle of directions, those across an edge of any length, on which all turn. */
+    boolean proposeAround(double ex, double ey, double ez, double nx, double ny, double nz) {
+        int now = Simplex.corners(first, second);
+        for (int axis = 0; axis < 3; axis++) {
+            base[axis] = corner(now, axis);
+        }
+        edge[0] = ex;
+        edge[1] = ey;
+        edge[2] = ez;
+        return acrossEdge(nx, ny, nz);
     }
 
     private boolean acrossSide(double nx, double ny, double nz) {
@@ -191,6 +298,7 @@ final class RimStep {
         if (!(cx * cx + cy * cy + cz * cz > PARALLEL * square * otherSquare)) {
             return false;
         }
+        isMost = true;
         double sign = cx * nx + cy * ny + cz * nz < 0 ? -1 : 1;
         return point(sign * cx, sign * cy, sign * cz);
     }

@@ -30,6 +30,9 @@ public final class Support {
     /** The sine below which a direction may lead to a cap. */
     private static final double NEARLY_STRAIGHT = 0.3;
 
+    /** The sine below which a direction is along the axis to within rounding. */
+    private static final double ALONG = 0x1p-48;
+
     /** The point found by {@link #find}. */
     public double x;
 
@@ -300,6 +303,43 @@ public final class Support {
     /** Whether the direction in which the point was found is nearly along the axis of a cylinder in space, but not quite. */
     boolean isNearCap() {
         return form == ROUND && heights > 0 && across < NEARLY_STRAIGHT && across > 0;
+    }
+
+    /** Whether it is along the axis, so that all of a cap is as far. */
+    boolean isAtCap() {
+        return form == ROUND && heights > 0 && across < ALONG;
+    }
+
+    /** The number of ends of a point or a segment with a margin, else 0. */
+    int ends() {
+        return form == POINTS && count < 3 ? count : 0;
+    }
+
+    /** Whether it is a box in space. */
+    boolean isBox() {
+        return form == PARALLELEPIPED && heights > 0;
+    }
+
+    /** Finds a box's point nearest to a point, to within rounding. */
+    void approach(double qx, double qy, double qz) {
+        double ox = qx - centreX;
+        double oy = qy - centreY;
+        double oz = qz - centreZ;
+        double s = part(ox * ux + oy * uy + oz * uz, ux * ux + uy * uy + uz * uz);
+        double t = part(ox * vx + oy * vy + oz * vz, vx * vx + vy * vy + vz * vz);
+        double q = part(ox * wx + oy * wy + oz * wz, wx * wx + wy * wy + wz * wz);
+        x = centreX + (s * ux + t * vx + q * wx);
+        y = centreY + (s * uy + t * vy + q * wy);
+        z = centreZ + (s * uz + t * vz + q * wz);
+    }
+
+    private static double part(double along, double square) {
+        return square > 0 ? Math.max(-1, Math.min(1, along / square)) : 0;
+    }
+
+    /** Whether it is loaded in the plane. */
+    boolean isFlat() {
+        return heights == 0;
     }
 
     /** Whether a vector from a cap's centre ends above the cap. */

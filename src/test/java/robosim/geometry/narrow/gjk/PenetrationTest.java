@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
 import robosim.geometry.narrow.CylinderTwin;
@@ -86,6 +87,25 @@ class PenetrationTest {
             assertThat(depth).as(pair).isBetween(sampled - 1e-2, sampled + 1e-12);
         }
         assertThat(deep).isGreaterThan(Effort.cases(200));
+    }
+
+    /** A pattern alone takes some 900 to 1,000 tries. */
+    @ParameterizedTest
+    @CsvSource({"CYLINDER, CYLINDER, 150", "CYLINDER, BOX, 280", "CAPSULE, CYLINDER, 150"})
+    void searchesAreShort(LeafKind first, LeafKind second, int most) {
+        SplittableRandom random = new SplittableRandom(64);
+        long tries = 0;
+        int deep = 0;
+        for (int n = 0; n < 400; n++) {
+            double[] a = Rows.random(first, random, 0.7);
+            double[] b = Rows.random(second, random, 0.7);
+            if (penetration.spatial(new Leaf(first, a, 0), new Leaf(second, b, 0)) > 0) {
+                deep++;
+                tries += penetration.tries();
+            }
+        }
+        assertThat(deep).isGreaterThan(150);
+        assertThat(tries / deep).isBetween(20L, (long) most);
     }
 
     /** Of two rings of directions that nearly tie the depth told is still no more than the least. */
