@@ -223,6 +223,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("467f5f244e4f61f6");
+        assertThat(Long.toHexString(digest)).isEqualTo("dbce9dab6e0912bd");
     }
 }
