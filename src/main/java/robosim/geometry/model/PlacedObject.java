@@ -154,7 +154,9 @@ public abstract class PlacedObject<S extends GeometryObject> {
         }
 
         static Look of(Material material, @Nullable List<GeometryObject> visuals) {
-            return visuals == null && material.isDefault() ? DEFAULT : new Look(material, visuals);
+            return visuals == null && Checks.present("material", material).isDefault()
+                    ? DEFAULT
+                    : new Look(material, visuals);
         }
     }
 
