@@ -256,8 +256,8 @@ class ResumeTest {
             try (Talk silent = new Talk(new Socket(InetAddress.getLoopbackAddress(), server.port()), "")) {
                 assertThat(silent.welcome).doesNotContain("token");
             }
-            int before = opened.get();
-            HostilePeerTest.await(() -> ended.get() == before);
+            // Counted by the connections' own threads, which may lag behind what their peers have read.
+            HostilePeerTest.await(() -> opened.get() > 1 && ended.get() == opened.get());
         }
     }
 
