@@ -264,7 +264,7 @@ public final class AnswerProofs implements Function<String, SessionListener> {
         List<Attempt> attempts();
     }
 
-    /** Counts what came of it, and tells the first flaw. */
+    /** Counts the outcome, and reports the first flaw. */
     private @Nullable String check(Geometry world, Proving proving) {
         List<Attempt> attempts;
         try {

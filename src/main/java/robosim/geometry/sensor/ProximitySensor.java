@@ -21,7 +21,7 @@ import robosim.geometry.sensor.effects.NoisyFrame;
  * @param max    range in world units; may be infinite
  * @param noise  which must need neither normals nor cones; {@link Noise#NONE} for none
  * @param seed   of a whole run, for the noise
- * @param sensor tells the sensors of a run apart, any number
+ * @param sensor distinguishes the sensors of a run; any number
  */
 public record ProximitySensor(String name, double max, Noise noise, long seed, long sensor) {
     /** Refuses null, and what is out of range. */

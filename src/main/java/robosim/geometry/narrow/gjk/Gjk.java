@@ -353,7 +353,7 @@ public final class Gjk {
         return isEnough() || near - reach <= Math.max(NARROW * near, error);
     }
 
-    /** Whether the bracket decides whether the two touch, and that is all that is asked. */
+    /** Whether only the verdict is wanted, and the bracket already decides whether the two touch. */
     private boolean isEnough() {
         double margins = first.margin + second.margin;
         return decides && (lower - margins - error > 0 || attained + error < margins);

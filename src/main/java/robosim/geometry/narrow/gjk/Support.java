@@ -48,7 +48,7 @@ public final class Support {
     double rimY;
     double rimZ;
 
-    /** Along the rim where the point found is; 0 for what has none. */
+    /** Along the rim where the point found is; 0 for features without a rim. */
     double tangentX;
 
     double tangentY;

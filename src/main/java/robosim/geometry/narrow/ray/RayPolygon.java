@@ -47,7 +47,7 @@ final class RayPolygon {
             return Double.POSITIVE_INFINITY;
         }
         int verdict = 0;
-        if (left > doubt && right < -doubt) { // what is all ahead is met by a ray whose line crosses it
+        if (left > doubt && right < -doubt) { // a ray hits a polygon that lies wholly ahead if its line crosses it
             verdict = nearest > doubt ? 1 : sides(q, ray.dx, ray.dz, speed, filter);
         }
         if (verdict < 0) {

@@ -17,7 +17,7 @@ interface Codec {
     /** Answers the last message with an error, if the encoding has one after which the conversation goes on; returns whether. */
     boolean refuse(String reason) throws IOException;
 
-    /** The id of the last message that was read; null if it has none, as in Java serialization. */
+    /** The id of the last message that was read; null for a message without an id, as in Java serialization. */
     default @Nullable Object id() {
         return null;
     }

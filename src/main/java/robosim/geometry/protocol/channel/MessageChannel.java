@@ -171,7 +171,7 @@ public final class MessageChannel {
         return spoken == null ? 1 : spoken.messageNumber();
     }
 
-    /** The id of the last message that was read, a String or a Long; null if it has none. */
+    /** The id of the last message that was read, a String or a Long; null for a message without an id. */
     public @Nullable Object id() {
         Codec spoken = speech;
         return spoken == null ? null : spoken.id();

@@ -53,7 +53,7 @@ public final class JsonCodec {
 
     private int messageBytes;
 
-    /** The id of the last message, a String or a Long; null if it has none. */
+    /** The id of the last message, a String or a Long; null for a message without an id. */
     public @Nullable Object id() {
         return id;
     }
