@@ -158,7 +158,7 @@ final class FreeGroup {
             scale(group, Math.sqrt((inner - taken) / inner));
         }
         if (taken < excess) {
-            double share = Math.sqrt(Math.max(0, moving - excess) / (moving - taken));
+            double share = excess < moving ? Math.sqrt((moving - excess) / (moving - taken)) : 0;
             for (int b = first[group]; b >= 0; b = next[b]) {
                 scale(bodies.get(b), share);
             }
