@@ -180,12 +180,22 @@ class WorldCopiesTest {
                 session,
                 new CopyRequest.Tick("robot", Numbers.of(0, 0, 0, 0), List.of("nobody"), List.of(), false),
                 "bodies must have a body");
-        answers(session, new CopyRequest.Make(0));
         refused(
                 session,
                 new CopyRequest.Tick("nobody", Numbers.of(1, 0, 0, 0), List.of(), List.of(), false),
-                "no object \"nobody\"");
-        refused(session, tick(0.1, 0, 0, 0), "the 0 copies"); // half a tick leaves none
+                "no body of \"nobody\"");
+        SenseRequest missing = new SenseRequest("nobody", new BeamPattern.Fan(-1, 0.1, 21));
+        SenseRequest still = new SenseRequest("wall", new BeamPattern.Fan(-1, 0.1, 21));
+        for (SenseRequest wrong : List.of(missing, still)) {
+            refused(
+                    session,
+                    new CopyRequest.Tick("robot", Numbers.of(1, 1, 0, 0), List.of(), List.of(LASER, wrong), false),
+                    "senses must be on moveable objects, or stand in the world");
+        }
+        TickAnswer answer = (TickAnswer) answers(session, tick(0, 0, 0, 0)).get(0);
+        assertThat(answer.states().get(0))
+                .as("what is refused leaves the copies as they were")
+                .isZero();
     }
 
     private static void refused(Session session, BatchRequest request, String reason) {

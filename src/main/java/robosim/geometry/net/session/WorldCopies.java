@@ -28,7 +28,7 @@ public final class WorldCopies {
     private final Batches batches;
     private final List<Copy> copies = new ArrayList<>();
 
-    private record Copy(Geometry world, BodyStepper bodies) {}
+    private record Copy(Geometry world, BodyStepper bodies, Set<String> moveable) {}
 
     /** No copies yet. */
     public WorldCopies(Batches batches) {
@@ -67,7 +67,7 @@ public final class WorldCopies {
         if (bodies != null) {
             moving.step(bodies.given(), (body, reason) -> {});
         }
-        Copy copy = new Copy(made, moving);
+        Copy copy = new Copy(made, moving, Set.copyOf(moveable));
         if (index < copies.size()) {
             copies.set(index, copy);
         } else {
@@ -76,11 +76,17 @@ public final class WorldCopies {
         return new WorldAnswer.Changed(true, null);
     }
 
-    /** Lets time pass in all copies. Of a tick that is ended half-way no copy remains. */
+    /**
+     * Lets time pass in all copies. Names that cannot be are refused before any copy goes on; of a tick that is ended half-way no
+     * copy remains.
+     */
     public TickAnswer tick(CopyRequest.Tick tick, Runnable breath) {
         if (tick.copies() > copies.size()) {
             throw new IllegalArgumentException("commands must be for at most the " + copies.size()
                     + " copies that there are; make more by requests of kind copy (got: for " + tick.copies() + ")");
+        }
+        for (int k = 0; k < tick.copies(); k++) {
+            check(tick, k);
         }
         boolean isMade = false;
         try {
@@ -117,7 +123,6 @@ public final class WorldCopies {
             for (ContactAnswer contact : answer.contacts()) {
                 count(contact, tick.bodies(), touches, bodies * k);
             }
-            checkBodies(tick.bodies(), copy.bodies);
             for (SenseRequest sense : tick.senses()) {
                 Numbers measured = ((SenseAnswer) batches.answer(copy.world, sense, breath)).distances();
                 for (int beam = 0; beam < measured.size(); beam++, filled++) {
@@ -144,12 +149,24 @@ public final class WorldCopies {
         return new StepBundle(seconds, List.of(), commands);
     }
 
-    private static void checkBodies(List<String> names, BodyStepper bodies) {
-        for (String name : names) {
-            if (!bodies.has(name)) {
+    private void check(CopyRequest.Tick tick, int k) {
+        Copy copy = copies.get(k);
+        if (tick.commands().get(CopyRequest.Tick.STRIDE * k) > 0 && !copy.bodies.has(tick.objectName())) {
+            throw new IllegalArgumentException("there is no body of " + Text.quoted(tick.objectName()) + " in copy " + k
+                    + "; give it one by a step before the world is copied");
+        }
+        for (String name : tick.bodies()) {
+            if (!copy.bodies.has(name)) {
                 throw new IllegalArgumentException(
                         "bodies must have a body, given by a step before the world is copied (got: " + Text.quoted(name)
                                 + ")");
+            }
+        }
+        for (SenseRequest sense : tick.senses()) {
+            String name = sense.objectName();
+            if (sense.isAboutMover() && !copy.moveable.contains(name)) {
+                throw new IllegalArgumentException(
+                        "senses must be on moveable objects, or stand in the world (got: " + Text.quoted(name) + ")");
             }
         }
     }
