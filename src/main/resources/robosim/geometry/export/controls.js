@@ -195,8 +195,11 @@ class Player {
 
   show() {
     const step = this.step;
-    el('play').setAttribute('aria-pressed', this.playing);
-    el('play').innerHTML = this.playing ? ICONS.pause : ICONS.play;
+    if (el('play').dataset.shows !== String(this.playing)) {
+      el('play').dataset.shows = this.playing;
+      el('play').setAttribute('aria-pressed', this.playing);
+      el('play').innerHTML = this.playing ? ICONS.pause : ICONS.play;
+    }
     el('speed').value = this.speed;
     el('count').textContent = (step + 1 + this.data.first).toLocaleString('en') + ' / ' + (this.data.frames + this.data.first).toLocaleString('en');
     el('time').min = this.first;
@@ -415,6 +418,7 @@ function show(data) {
   SPEEDS.forEach((s, k) => el('speed').add(new Option(s + ' / s', k)));
   el('time').style.setProperty('--marks', marks(data));
   el('bar').classList.toggle('still', data.frames < 2);
+  document.documentElement.classList.toggle('plain', player.view.plain);
   document.querySelectorAll('[data-camera=eye],[data-camera=follow]').forEach(b => { b.disabled = player.robot < 0; });
   const dark = listen(player);
   fromAddress(player, dark);
