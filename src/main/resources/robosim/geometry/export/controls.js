@@ -195,11 +195,6 @@ class Player {
 
   show() {
     const step = this.step;
-    if (el('play').dataset.shows !== String(this.playing)) {
-      el('play').dataset.shows = this.playing;
-      el('play').setAttribute('aria-pressed', this.playing);
-      el('play').innerHTML = this.playing ? ICONS.pause : ICONS.play;
-    }
     el('speed').value = this.speed;
     el('count').textContent = (step + 1 + this.data.first).toLocaleString('en') + ' / ' + (this.data.frames + this.data.first).toLocaleString('en');
     el('time').min = this.first;
@@ -207,12 +202,22 @@ class Player {
     el('time').value = step;
     el('time').style.setProperty('--done', 100 * (step - this.first) / Math.max(1, this.data.frames - 1 - this.first) + '%');
     el('story').textContent = this.data.frames > 1 || this.data.remarks.length ? story(this.data, step) : '';
+    const { sonars, trails, refused } = this.view.shown;
+    const buttons = [this.playing, this.camera.kind, sonars, trails, refused, this.names, this.measuring, this.cameras.length].join();
+    if (buttons !== this.buttons) this.showButtons();
+    this.buttons = buttons;
+    this.tell();
+  }
+
+  /** Which buttons are pressed; only where that has changed, as the browser lays them out again. */
+  showButtons() {
+    el('play').setAttribute('aria-pressed', this.playing);
+    el('play').innerHTML = this.playing ? ICONS.pause : ICONS.play;
     document.querySelectorAll('[data-camera]').forEach(b => b.setAttribute('aria-pressed', b.dataset.camera === this.camera.kind));
     for (const name of ['sonars', 'trails', 'refused']) el(name).setAttribute('aria-pressed', this.view.shown[name]);
     el('labels').setAttribute('aria-pressed', this.names);
     el('measure').setAttribute('aria-pressed', this.measuring);
     el('cameras').setAttribute('aria-pressed', this.cameras.length > 1);
-    this.tell();
   }
 
   /** What is known of the selected object. */
