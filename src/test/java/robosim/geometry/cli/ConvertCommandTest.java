@@ -306,7 +306,7 @@ class ConvertCommandTest extends CommandRun {
                 "w.obj|solid x|this is STL; give it a name that ends in .stl",
                 "w.stl|# x;v 0 0 0;|this is Wavefront OBJ; give it a name that ends in .obj",
                 "w.txt|image: a.pgm;resolution: 1|this is a ROS map; give it a name that ends in .yaml",
-                "w.jsonl|{\"type\":\"scenario\"}|this is JSON; recordings of this module end in .scenario.jsonl",
+                "w.json|{\"type\":\"scenario\"}|this is JSON; recordings of this module end in .jsonl",
                 "w.xml|ply;format ascii|this is PLY",
                 "w.xml|glTF|this is glTF",
                 "w.yaml|<a/>|this is XML, with the root <a>",

@@ -43,7 +43,7 @@ class ExportCommandTest extends CommandRun {
     void aRecordingBecomesMessagesOfRos() throws IOException {
         Path messages = folder.resolve("a.mcap");
         assertThat(run("export", TALK, messages)).isZero();
-        assertThat(out.toString()).startsWith("Wrote " + messages + ": 17 steps, ");
+        assertThat(out.toString()).startsWith("Wrote " + messages + ": 17 requests, ");
         byte[] first = Files.readAllBytes(messages);
         assertThat(run("convert", TALK, messages)).isZero();
         assertThat(Files.readAllBytes(messages)).isEqualTo(first);

@@ -2,9 +2,13 @@ package robosim.geometry.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.image.PngWriter;
@@ -39,6 +43,55 @@ class RenderRecordingTest extends CommandRun {
         assertThat(run("render", recording, "--steps", "9-9", "--world", "worlds/rooms.xml", "-o", plan))
                 .isZero();
         assertThat(plan).content().contains("step 9 of 9", " m<");
+    }
+
+    /** A recording may have any name that ends in .jsonl; its plan is a film of one picture for each step. */
+    @Test
+    void aPlanOfARecordingIsAFilm() throws IOException {
+        Path recording = Files.copy(Path.of("worlds/scenarios/wandering.scenario.jsonl"), folder.resolve("run.jsonl"));
+        Path film = folder.resolve("film.gif");
+        assertThat(run("render", recording, "--plan", "--steps", "2-9", "--every", 2, "-o", film))
+                .as("%s", err)
+                .isZero();
+        assertThat(out.toString()).contains("film.gif: steps 2 to 8, every 2");
+        Path plan = folder.resolve("plan.png");
+        assertThat(run("render", recording, "--plan", "--steps", "2-2", "-o", plan)).isZero();
+        BufferedImage expected = ImageIO.read(plan.toFile());
+        ImageReader frames = ImageIO.getImageReadersByFormatName("gif").next();
+        try (ImageInputStream in = ImageIO.createImageInputStream(film.toFile())) {
+            frames.setInput(in);
+            assertThat(frames.getNumImages(true)).isEqualTo(4);
+            BufferedImage first = frames.read(0);
+            assertThat(first.getWidth()).isEqualTo(expected.getWidth());
+            assertThat(first.getHeight()).isEqualTo(expected.getHeight());
+            assertThat(first.getRGB(3, 3) & 0xf8f8f8).isEqualTo(expected.getRGB(3, 3) & 0xf8f8f8);
+        }
+        assertThat(run("render", "worlds/maze.xml", "--plan", "-o", film)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("FILE must end in .svg or .png for the plan of a world");
+    }
+
+    /** Measuring, a command and the time after it are one step; so are commands and time without a sensor. */
+    @Test
+    void aCommandBelongsToTheTimeAfterIt() throws IOException {
+        Path recording = folder.resolve("run.jsonl");
+        Files.writeString(
+                recording,
+                """
+                {"type":"scenario","version":1,"title":"t","madeBy":"a test","options":{"dimension":"PLANAR","accuracy":"EXACT","beam":{"min":0,"max":null,"width":0}}}
+                {"type":"init","objects":[{"kind":"cylinder","name":"robot","moveable":true,"center":[0,0,0],"radius":1,"height":1}]}
+                """
+                        + """
+                {"type":"batch","requests":[{"kind":"sense","objectName":"robot","pattern":{"kind":"fan","first":0,"step":1,"count":4},"min":0,"max":8,"width":0}]}
+                {"type":"step","seconds":0,"commands":[{"objectName":"robot","forward":0.5,"turn":0}]}
+                {"type":"step","seconds":1}
+                """
+                                .repeat(3)
+                        + """
+                {"type":"step","seconds":1}
+                """);
+        Path page = folder.resolve("run.html");
+        assertThat(run("export", recording, page)).as("%s", err).isZero();
+        assertThat(out.toString()).contains("run.html: 5 steps");
     }
 
     @Test

@@ -25,7 +25,6 @@ import robosim.geometry.export.GlbWriter;
 import robosim.geometry.export.RosRecording;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.World;
@@ -68,7 +67,7 @@ public final class ConvertCommand implements Callable<Integer> {
             paramLabel = "IN",
             description =
                     "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), Stage (.world), a robot (.urdf),"
-                            + " a mesh (.obj, .stl, .dae, .ply, .glb, .gltf), or a recording (*" + ScenarioReader.ENDING
+                            + " a mesh (.obj, .stl, .dae, .ply, .glb, .gltf), or a recording (*.jsonl"
                             + ")")
     private Path in = Path.of("");
 
@@ -140,8 +139,10 @@ public final class ConvertCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        if (in.toString().toLowerCase(Locale.ROOT).endsWith(ScenarioReader.ENDING)) {
-            Arguments.input("IN", in);
+        if (RecordingOptions.isRecording(in)) {
+            if (!Files.isDirectory(in)) {
+                Arguments.input("IN", in);
+            }
             Arguments.output("OUT, of a recording,", out, RosRecording.MCAP, RosRecording.WPILOG);
             ExportCommand.writeMessages(spec, in, out, RosRecording.TICK);
             return ExitCodes.FINE;

@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -25,7 +24,6 @@ import robosim.geometry.export.PageFilms;
 import robosim.geometry.export.PageWriter;
 import robosim.geometry.export.RosRecording;
 import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
@@ -51,7 +49,7 @@ public final class ExportCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "FILE",
-            description = "a world in any format that convert reads, a recording (*" + ScenarioReader.ENDING
+            description = "a world in any format that convert reads, a recording (*.jsonl"
                     + "), or a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE)
     private Path file = Path.of("");
 
@@ -95,7 +93,7 @@ public final class ExportCommand implements Callable<Integer> {
         if (!isDemo) {
             Arguments.input("FILE", file);
         }
-        boolean isRecording = isDemo || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl");
+        boolean isRecording = RecordingOptions.isRecording(file);
         if (tick != null && !isLog) {
             throw new UsageException("--tick is for .mcap and .wpilog (got: " + page + ")");
         }
@@ -137,7 +135,7 @@ public final class ExportCommand implements Callable<Integer> {
         }
         spec.commandLine()
                 .getOut()
-                .println("Wrote " + out + ": " + NumberText.count(count, "step") + ", "
+                .println("Wrote " + out + ": " + NumberText.count(count, "request") + ", "
                         + NumberText.count(Files.size(out), "byte"));
     }
 

@@ -12,7 +12,6 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.export.PageFilms;
-import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.StateHistory;
@@ -36,9 +35,10 @@ public final class RecordingOptions {
             description = "for a recording: only every N-th of these steps (default: ${DEFAULT-VALUE})")
     private int every;
 
+    /** Whether a file is a recording by its name, or a folder with those of the demo. */
     static boolean isRecording(Path file) {
         return WireFiles.at(file) != null
-                || file.toString().toLowerCase(Locale.ROOT).endsWith(ScenarioReader.ENDING);
+                || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl");
     }
 
     /** Refuses the options of recordings where there is none. */

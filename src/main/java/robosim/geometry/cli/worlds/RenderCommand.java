@@ -1,5 +1,6 @@
 package robosim.geometry.cli.worlds;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -43,7 +44,7 @@ import robosim.geometry.world.shared.AtomicFileWriter;
             "The picture shows heights, also of a PLANAR world, and lays the ground under what stands lowest. An orbit"
                     + " is a film, FILE.gif, or a series of pictures, FILE with a number before its ending.",
             "",
-            "Of a recording (*.scenario.jsonl, or a folder with the demo's to-module.bin and from-module.bin) it takes"
+            "Of a recording (*.jsonl, or a folder with the demo's to-module.bin and from-module.bin) it takes"
                     + " a picture of each step, FILE with a number before its ending, of which other programs make a"
                     + " video: ffmpeg -i frame-%%03d.png film.mp4"
         },
@@ -73,7 +74,7 @@ public final class RenderCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             paramLabel = "FILE",
             required = true,
-            description = "the picture to write: .svg or .png; or .gif, a film of an orbit or a recording")
+            description = "the picture to write: .svg or .png; or .gif, a film of an orbit or of a recording, also of its plan with --plan")
     private Path output = Path.of("world.svg");
 
     @Option(names = "--dark", description = "draw the plan on a dark background; an .svg follows its viewer's theme")
@@ -153,7 +154,6 @@ public final class RenderCommand implements Callable<Integer> {
                 || output.toString().toLowerCase(Locale.ROOT).endsWith(".svg");
         if (isPlan) {
             refuseCamera();
-            Arguments.refuse(isFilm(), "FILE must end in .svg or .png for a plan", output);
         }
         if (hasSensors && (!isPlan || slice != null)) {
             throw new UsageException("--sensors is for a plan of the whole height; write an .svg or add --plan, without"
@@ -174,6 +174,7 @@ public final class RenderCommand implements Callable<Integer> {
             read = PlanSlice.of(read, slice);
         }
         if (isPlan) {
+            Arguments.refuse(isFilm(), "FILE must end in .svg or .png for the plan of a world; recordings become films", output);
             Painter.write(hasSensors ? Pictures.sensed(read, title()) : Pictures.of(read, title()), theme(), output);
             tell(output);
         } else {
@@ -219,29 +220,27 @@ public final class RenderCommand implements Callable<Integer> {
             }
         }
         Camera camera = isPlan ? null : new Camera(moment(film, frames[0]));
-        if (camera != null && isFilm()) {
-            double metres = metres(lender);
+        double metres = metres(lender);
+        String unit = lender == null ? "" : Pictures.unit(lender);
+        if (isFilm()) {
             try (Progress progress = Progress.of(spec.commandLine(), "rendering", frames.length)) {
                 writeFilm(frames.length, k -> {
-                    camera.look(moment(film, frames[k]));
                     progress.at(k + 1L);
-                    return camera.take(k * camera.pictures.size() / frames.length, metres, percent -> {});
+                    if (camera == null) {
+                        return Picture.of(Painter.image(plan(film, frames[k], unit), theme()));
+                    }
+                    camera.look(moment(film, frames[k]));
+                    return camera.shoot(k * camera.pictures.size() / frames.length, metres, percent -> {});
                 });
             }
             tell(output + recording.told(frames));
             return;
         }
-        double metres = metres(lender);
-        String unit = lender == null ? "" : Pictures.unit(lender);
         try (Progress progress = Progress.of(spec.commandLine(), "rendering", frames.length)) {
             for (int k = 0; k < frames.length; k++) {
                 Path file = frames.length == 1 ? output : numbered(k, frames.length);
                 if (camera == null) {
-                    Scene scene = film.scene(frames[k]);
-                    if (slice != null) {
-                        scene = PlanSlice.of(scene, setting(film, frames[k]).height(), slice);
-                    }
-                    Painter.write(scene.titled(title()).described(scene.subtitle(), unit), theme(), file);
+                    Painter.write(plan(film, frames[k], unit), theme(), file);
                 } else {
                     camera.look(moment(film, frames[k]));
                     camera.write(k * camera.pictures.size() / frames.length, metres, file, percent -> {});
@@ -262,17 +261,42 @@ public final class RenderCommand implements Callable<Integer> {
         return output.toString().toLowerCase(Locale.ROOT).endsWith(FILM);
     }
 
-    /** Takes a picture of a film. */
+    /** The plan at a step of a recording. */
+    private Scene plan(StateHistory film, int frame, String unit) {
+        Scene scene = film.scene(frame);
+        if (slice != null) {
+            scene = PlanSlice.of(scene, setting(film, frame).height(), slice);
+        }
+        return scene.titled(title()).described(scene.subtitle(), unit);
+    }
+
+    /** A picture of a film: its pixels, row by row. */
+    private record Picture(int wide, int high, int[] pixels) {
+        static Picture of(BufferedImage image) {
+            int wide = image.getWidth();
+            int high = image.getHeight();
+            return new Picture(wide, high, image.getRGB(0, 0, wide, high, null, 0, wide));
+        }
+    }
+
+    /** Takes or draws a picture of a film. */
     @FunctionalInterface
     private interface Shooting {
-        int[] take(int k) throws IOException;
+        Picture take(int k) throws IOException;
     }
 
     private void writeFilm(int count, Shooting shooting) throws IOException {
+        Picture first = shooting.take(0);
         AtomicFileWriter.write(output, out -> {
-            GifWriter film = new GifWriter(out, cameras.width(), cameras.height(), SECONDS);
-            for (int k = 0; k < count; k++) {
-                film.add(shooting.take(k));
+            GifWriter film = new GifWriter(out, first.wide(), first.high(), SECONDS);
+            film.add(first.pixels());
+            for (int k = 1; k < count; k++) {
+                Picture next = shooting.take(k);
+                if (next.wide() != first.wide() || next.high() != first.high()) {
+                    throw new UsageException("--steps must be within one world for the film of a plan; the recording begins"
+                            + " another before picture " + (k + 1) + " (got: " + output + ")");
+                }
+                film.add(next.pixels());
             }
             film.end();
         });
@@ -300,7 +324,7 @@ public final class RenderCommand implements Callable<Integer> {
         int count = camera.pictures.size();
         if (isFilm()) {
             try (Progress progress = Progress.of(spec.commandLine(), "rendering", 100L * count)) {
-                writeFilm(count, k -> camera.take(k, metres, percent -> progress.at(100L * k + percent)));
+                writeFilm(count, k -> camera.shoot(k, metres, percent -> progress.at(100L * k + percent)));
             }
             tell(output);
             return;
@@ -339,6 +363,11 @@ public final class RenderCommand implements Callable<Integer> {
         void write(int picture, double metres, Path file, IntConsumer percent) throws IOException {
             int[] taken = take(picture, metres, percent);
             AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), taken));
+        }
+
+        Picture shoot(int picture, double metres, IntConsumer percent) {
+            return new Picture(
+                    cameras.width(), cameras.height(), take(picture, metres, percent));
         }
 
         int[] take(int picture, double metres, IntConsumer percent) {

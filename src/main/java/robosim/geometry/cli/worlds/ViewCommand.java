@@ -5,7 +5,6 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.regex.Matcher;
@@ -26,7 +25,6 @@ import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
 import robosim.geometry.export.PageFilms;
 import robosim.geometry.export.PageWriter;
-import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.scenario.source.WatchReader;
 import robosim.geometry.viewer.playback.Colours;
@@ -64,7 +62,7 @@ public final class ViewCommand implements Callable<Integer> {
 
     @Parameters(
             paramLabel = "WHAT",
-            description = "a world in any format that convert reads, a recording (*" + ScenarioReader.ENDING
+            description = "a world in any format that convert reads, a recording (*.jsonl"
                     + "), a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE
                     + ", or HOST:PORT, the port of a serve or connect with --watch")
     private String shown = "";
@@ -125,7 +123,7 @@ public final class ViewCommand implements Callable<Integer> {
         if (!isDemo) {
             Arguments.input("WHAT", file);
         }
-        if (isDemo || file.toString().toLowerCase(Locale.ROOT).endsWith(".jsonl")) {
+        if (RecordingOptions.isRecording(file)) {
             try (PageServer server = PageServer.of(address(), recording(file))) {
                 show(server);
             }

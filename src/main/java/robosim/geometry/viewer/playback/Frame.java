@@ -46,20 +46,20 @@ public record Frame(
         return new Frame(opening, Map.of(), List.of(), Map.of(), words, List.of(), null);
     }
 
-    /** Whether robots only measured. */
-    private boolean isSensing() {
-        return opening == null && placed.isEmpty() && bumps.isEmpty() && !heard.isEmpty();
+    /** Whether nothing has moved yet: robots measured, or were given commands. */
+    private boolean isBeforeMoves() {
+        return opening == null && placed.isEmpty() && bumps.isEmpty();
     }
 
     /**
-     * This frame and the next one as one control step: robots measure, others measure too, and then they move. Null if they
-     * are two: one that measures again has begun another step.
+     * This frame and the next one as one control step: robots measure, others measure too, they are given commands, and then
+     * they move. Null if they are two: one that measures again has begun another step.
      */
     @Nullable
     Frame with(Frame next) {
-        boolean isAct = next.heard.isEmpty() && !(next.placed.isEmpty() && next.bumps.isEmpty());
-        boolean isMore = next.isSensing() && Collections.disjoint(heard.keySet(), next.heard.keySet());
-        if (!isSensing() || next.opening != null || !(isAct || isMore)) {
+        boolean isAct = next.heard.isEmpty() && next.opening == null;
+        boolean isMore = next.isBeforeMoves() && Collections.disjoint(heard.keySet(), next.heard.keySet());
+        if (!isBeforeMoves() || !(isAct || isMore)) {
             return null;
         }
         Map<String, List<Scene.Ping>> all = new LinkedHashMap<>(heard);

@@ -229,7 +229,7 @@ public final class Replayer {
         }
     }
 
-    /** Lets time pass, and then puts every body where the record says that it came to. */
+    /** Lets time pass, and then puts every body where the record says that it came to. Commands alone move nothing. */
     private Frame step(Step step, StepBundle asked) {
         Reply reply = session.reply(asked);
         Reply shown = step.expected() == null ? reply : step.expected();
@@ -246,7 +246,9 @@ public final class Replayer {
             if (reply == null || !reply.bundle().equals(answer)) {
                 put(mover.at(there));
             }
-            placed.put(body.objectName(), present(body.objectName()).pose());
+            if (asked.seconds() > 0) {
+                placed.put(body.objectName(), present(body.objectName()).pose());
+            }
         }
         List<Frame.Bump> bumps = new ArrayList<>();
         for (ContactAnswer contact : answer.contacts()) {

@@ -167,7 +167,7 @@ public final class FileKind {
                         ? null
                         : "this is glTF; give it a name that ends in .gltf";
             }
-            return "this is JSON; recordings of this module end in .scenario.jsonl and are for replay and view";
+            return "this is JSON; recordings of this module end in .jsonl and are for replay, view, render and export";
         }
         if (STAGE.matcher(text).find()) {
             return readAs.equals("stage") ? null : "this is a world of Stage; give it a name that ends in .world";
