@@ -7,15 +7,20 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 
 /**
- * Writes a film as an animated GIF (89a), picture by picture; it begins again after its end. Each picture has its own 256
- * colours, found by halving the box of its colours where they differ most, so that few colours are kept exactly.
+ * Writes a film as an animated GIF (89a), picture by picture; it begins again after its end. Each picture has its own 255
+ * colours, found by halving the box of its colours where they differ most, so that few colours are kept exactly. Pixels
+ * that are as before are not written again, so what stands still takes no room.
  */
 public final class GifWriter {
     private static final int MAX_SIDE = 65_535;
     private static final int COLOURS = 256;
+
+    /** The index of pixels that stay as they are, and how many colours there are for all others. */
+    private static final int SAME = 255;
 
     /** Colours are counted by the upper bits of their components. */
     private static final int BITS = 5;
@@ -36,6 +41,7 @@ public final class GifWriter {
     // The codes of sequences of pixels: by code and next pixel, the longer sequence's code.
     private final short[] codes = new short[MOST_CODES * COLOURS];
     private final byte[] piece = new byte[255];
+    private int @Nullable [] before;
     private int filled;
     private int bits;
     private int pending;
@@ -79,14 +85,15 @@ public final class GifWriter {
             throw new IllegalArgumentException(
                     "pixels must be " + width + " x " + height + " (got: " + pixels.length + " in all)");
         }
-        out.write(new byte[] {0x21, (byte) 0xf9, 4, 4});
+        out.write(new byte[] {0x21, (byte) 0xf9, 4, (byte) (before == null ? 4 : 5)}); // drawn over the last picture
         pair(hundredths);
-        out.write(new byte[] {0, 0, 0x2c, 0, 0, 0, 0});
+        out.write(new byte[] {(byte) SAME, 0, 0x2c, 0, 0, 0, 0});
         pair(width);
         pair(height);
         out.write(0x87); // 256 colours of its own
         out.write(colours(pixels));
         compress(pixels);
+        before = pixels.clone();
     }
 
     /** Ends the film. */
@@ -106,12 +113,24 @@ public final class GifWriter {
         return red << (2 * BITS) | green << BITS | blue;
     }
 
-    /** Chooses the colours of a picture, and to each bin its colour. */
+    private boolean isSame(int[] pixels, int k) {
+        return before != null && before[k] == pixels[k];
+    }
+
+    private int index(int[] pixels, int k) {
+        return isSame(pixels, k) ? SAME : indexOf[bin(pixels[k])] & 0xff;
+    }
+
+    /** Chooses the colours of what a picture changes, and to each bin its colour. */
     private byte[] colours(int[] pixels) {
         for (long[] sum : sums) {
             Arrays.fill(sum, 0);
         }
-        for (int pixel : pixels) {
+        for (int k = 0; k < pixels.length; k++) {
+            if (isSame(pixels, k)) {
+                continue;
+            }
+            int pixel = pixels[k];
             long[] sum = sums[bin(pixel)];
             sum[0]++;
             for (int c = 1; c <= 3; c++) {
@@ -119,9 +138,12 @@ public final class GifWriter {
             }
         }
         List<int[]> boxes = new ArrayList<>();
-        boxes.add(
-                IntStream.range(0, sums.length).filter(bin -> sums[bin][0] > 0).toArray());
-        while (boxes.size() < COLOURS && halve(boxes)) {
+        int[] used =
+                IntStream.range(0, sums.length).filter(bin -> sums[bin][0] > 0).toArray();
+        if (used.length > 0) {
+            boxes.add(used);
+        }
+        while (boxes.size() < SAME && halve(boxes)) {
             // until all colours are used, or each bin has its own
         }
         byte[] table = new byte[3 * COLOURS];
@@ -208,9 +230,9 @@ public final class GifWriter {
         int next = END + 1;
         int length = 9;
         code(CLEAR, length);
-        int sequence = indexOf[bin(pixels[0])] & 0xff;
+        int sequence = index(pixels, 0);
         for (int k = 1; k < pixels.length; k++) {
-            int pixel = indexOf[bin(pixels[k])] & 0xff;
+            int pixel = index(pixels, k);
             int longer = codes[sequence * COLOURS + pixel];
             if (longer > 0) {
                 sequence = longer;

@@ -25,12 +25,18 @@ class GifWriterTest {
         return out.toByteArray();
     }
 
+    /** The pictures as they are shown: one over the other. */
     private static List<BufferedImage> read(byte[] film) throws IOException {
         ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
         reader.setInput(ImageIO.createImageInputStream(new ByteArrayInputStream(film)));
         List<BufferedImage> pictures = new ArrayList<>();
         for (int k = 0; k < reader.getNumImages(true); k++) {
-            pictures.add(reader.read(k));
+            BufferedImage shown = reader.read(k);
+            BufferedImage all = new BufferedImage(shown.getWidth(), shown.getHeight(), BufferedImage.TYPE_INT_RGB);
+            for (BufferedImage picture : k == 0 ? List.of(shown) : List.of(pictures.get(k - 1), shown)) {
+                all.getGraphics().drawImage(picture, 0, 0, null);
+            }
+            pictures.add(all);
         }
         return pictures;
     }
@@ -52,6 +58,7 @@ class GifWriterTest {
         for (int[] size : new int[][] {{1, 1}, {3, 2}, {64, 65}, {301, 200}}) {
             int[] first = walk(random, size[0] * size[1]);
             int[] second = walk(random, size[0] * size[1]);
+            System.arraycopy(first, first.length / 3, second, first.length / 3, first.length / 3);
             List<BufferedImage> seen = read(film(size[0], size[1], first, second));
             assertThat(seen).hasSize(2);
             for (int k = 0; k < 2; k++) {
@@ -80,6 +87,20 @@ class GifWriterTest {
             }
         }
         assertThat(off / (3.0 * pixels.length)).as("mean error of a component").isBetween(1.0, 6.0);
+    }
+
+    @Test
+    void whatStaysTakesNoRoom() throws IOException {
+        int[] picture = walk(new SplittableRandom(8), 100 * 100);
+        int[] changed = picture.clone();
+        changed[5_050] ^= 0x404040;
+        int one = film(100, 100, picture).length;
+        assertThat(film(100, 100, picture, picture).length - one).isLessThan(1_200);
+        byte[] film = film(100, 100, picture, changed, picture);
+        assertThat(film.length - one).isLessThan(2_400);
+        List<BufferedImage> seen = read(film);
+        assertThat(seen.get(1).getRGB(50, 50) & 0xffffff).isEqualTo(changed[5_050]);
+        assertThat(seen.get(2).getRGB(50, 50) & 0xffffff).isEqualTo(picture[5_050]);
     }
 
     @Test
