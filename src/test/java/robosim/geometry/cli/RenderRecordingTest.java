@@ -55,7 +55,8 @@ class RenderRecordingTest extends CommandRun {
                 .isZero();
         assertThat(out.toString()).contains("film.gif: steps 2 to 8, every 2");
         Path plan = folder.resolve("plan.png");
-        assertThat(run("render", recording, "--plan", "--steps", "2-2", "-o", plan)).isZero();
+        assertThat(run("render", recording, "--plan", "--steps", "2-2", "-o", plan))
+                .isZero();
         BufferedImage expected = ImageIO.read(plan.toFile());
         ImageReader frames = ImageIO.getImageReadersByFormatName("gif").next();
         try (ImageInputStream in = ImageIO.createImageInputStream(film.toFile())) {
@@ -74,19 +75,14 @@ class RenderRecordingTest extends CommandRun {
     @Test
     void aCommandBelongsToTheTimeAfterIt() throws IOException {
         Path recording = folder.resolve("run.jsonl");
-        Files.writeString(
-                recording,
-                """
+        Files.writeString(recording, """
                 {"type":"scenario","version":1,"title":"t","madeBy":"a test","options":{"dimension":"PLANAR","accuracy":"EXACT","beam":{"min":0,"max":null,"width":0}}}
                 {"type":"init","objects":[{"kind":"cylinder","name":"robot","moveable":true,"center":[0,0,0],"radius":1,"height":1}]}
-                """
-                        + """
+                """ + """
                 {"type":"batch","requests":[{"kind":"sense","objectName":"robot","pattern":{"kind":"fan","first":0,"step":1,"count":4},"min":0,"max":8,"width":0}]}
                 {"type":"step","seconds":0,"commands":[{"objectName":"robot","forward":0.5,"turn":0}]}
                 {"type":"step","seconds":1}
-                """
-                                .repeat(3)
-                        + """
+                """.repeat(3) + """
                 {"type":"step","seconds":1}
                 """);
         Path page = folder.resolve("run.html");

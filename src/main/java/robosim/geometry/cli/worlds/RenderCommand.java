@@ -74,7 +74,8 @@ public final class RenderCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             paramLabel = "FILE",
             required = true,
-            description = "the picture to write: .svg or .png; or .gif, a film of an orbit or of a recording, also of its plan with --plan")
+            description =
+                    "the picture to write: .svg or .png; or .gif, a film of an orbit or of a recording, also of its plan with --plan")
     private Path output = Path.of("world.svg");
 
     @Option(names = "--dark", description = "draw the plan on a dark background; an .svg follows its viewer's theme")
@@ -174,7 +175,8 @@ public final class RenderCommand implements Callable<Integer> {
             read = PlanSlice.of(read, slice);
         }
         if (isPlan) {
-            Arguments.refuse(isFilm(), "FILE must end in .svg or .png for the plan of a world; recordings become films", output);
+            Arguments.refuse(
+                    isFilm(), "FILE must end in .svg or .png for the plan of a world; recordings become films", output);
             Painter.write(hasSensors ? Pictures.sensed(read, title()) : Pictures.of(read, title()), theme(), output);
             tell(output);
         } else {
@@ -293,8 +295,9 @@ public final class RenderCommand implements Callable<Integer> {
             for (int k = 1; k < count; k++) {
                 Picture next = shooting.take(k);
                 if (next.wide() != first.wide() || next.high() != first.high()) {
-                    throw new UsageException("--steps must be within one world for the film of a plan; the recording begins"
-                            + " another before picture " + (k + 1) + " (got: " + output + ")");
+                    throw new UsageException(
+                            "--steps must be within one world for the film of a plan; the recording begins"
+                                    + " another before picture " + (k + 1) + " (got: " + output + ")");
                 }
                 film.add(next.pixels());
             }
@@ -366,8 +369,7 @@ public final class RenderCommand implements Callable<Integer> {
         }
 
         Picture shoot(int picture, double metres, IntConsumer percent) {
-            return new Picture(
-                    cameras.width(), cameras.height(), take(picture, metres, percent));
+            return new Picture(cameras.width(), cameras.height(), take(picture, metres, percent));
         }
 
         int[] take(int picture, double metres, IntConsumer percent) {

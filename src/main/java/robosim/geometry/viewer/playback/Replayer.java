@@ -142,7 +142,10 @@ public final class Replayer {
                 }
             }
         }
-        String words = "a batch of " + NumberText.count(batch.size(), "item");
+        boolean isSensing = batch.requests().stream().allMatch(SenseRequest.class::isInstance);
+        String words = isSensing
+                ? NumberText.count(batch.size(), "distance")
+                : "a batch of " + NumberText.count(batch.size(), "item");
         return frame(step, setting, placed, bumps, heard, words);
     }
 
@@ -279,6 +282,9 @@ public final class Replayer {
     }
 
     private static String stepped(StepBundle asked, StepBundle.Answer answer) {
+        if (asked.seconds() == 0) {
+            return NumberText.count(asked.commands().size(), "command");
+        }
         int count = answer.bodies().size();
         String words = NumberText.digits(asked.seconds(), 9) + " s, " + count + (count == 1 ? " body" : " bodies");
         if (answer.contacts().isEmpty()) {
