@@ -2,21 +2,29 @@ package robosim.geometry.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.docs.Block;
+import robosim.geometry.docs.Pages;
 import robosim.geometry.net.GeometryServer;
 
-/** The Python package with the application jar that was built: its own tests, and the code of docs/guide-python.md. */
+/**
+ * The Python package with the application jar that was built: its own tests, the code of docs/guide-python.md, and every
+ * program and command of docs/tutorial.md.
+ */
 @Timeout(300)
 class PythonPackageIT {
     private static final Path GUIDE = Path.of("docs", "guide-python.md");
+    private static final Path TUTORIAL = Path.of("docs", "tutorial.md");
     private static final Map<String, String> ENVIRONMENT = Map.of(
             "JAVA_HOME",
             System.getProperty("java.home"),
@@ -67,5 +75,72 @@ class PythonPackageIT {
                     .containsExactlyElementsOf(expected);
         }
         assertThat(picture).isNotEmptyFile();
+    }
+
+    /** The page's programs, by the names in their first lines, and then its commands, in order. */
+    @Test
+    void theTutorialDoesWhatItSays(@TempDir Path folder) throws Exception {
+        List<String> commands = new ArrayList<>();
+        List<String> printed = new ArrayList<>();
+        for (Block block : Pages.blocks(TUTORIAL)) {
+            String first = block.code().lines().findFirst().orElse("");
+            if (first.matches("(#|//) \\w+\\.\\w+")) {
+                Files.writeString(folder.resolve(first.substring(first.indexOf(' ') + 1)), block.code());
+            } else if (block.language().equals("console")) {
+                for (String line : block.code().lines().toList()) {
+                    if (line.startsWith("$ ")) {
+                        commands.add(line.substring(2));
+                        printed.add("");
+                    } else {
+                        int last = printed.size() - 1;
+                        String one = line.equals("...") ? "(?:.*\\R)*?" : Pattern.quote(line) + "\\R";
+                        printed.set(last, printed.get(last) + one);
+                    }
+                }
+            }
+        }
+        assertThat(commands).hasSizeGreaterThan(9);
+        for (int k = 0; k < commands.size(); k++) {
+            assertThat(run(folder, commands.get(k))).as(commands.get(k)).matches(printed.get(k));
+        }
+        assertThat(folder).isDirectoryContaining("glob:**.gif").isDirectoryContaining("glob:**.mcap");
+    }
+
+    /** The test of a robot on the page is that of the example project. */
+    @Test
+    void theTutorialsTestIsTheExamples() throws Exception {
+        String example = Files.readString(Path.of("examples/scenario-tests/src/test/java/example/FollowTest.java"));
+        String shown = Pages.blocks(TUTORIAL).stream()
+                .map(Block::code)
+                .filter(code -> code.contains("@Test"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(example).contains(shown.substring(shown.indexOf("@Test")));
+    }
+
+    private static String run(Path folder, String command) throws Exception {
+        String jar = Path.of(String.valueOf(ENVIRONMENT.get("ROBOSIM_JAR")))
+                .toAbsolutePath()
+                .toString();
+        List<String> words = new ArrayList<>(List.of(command.split(" ")));
+        if (words.get(0).equals("robosim-geometry")) {
+            words.set(0, "java");
+            words.addAll(1, List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-jar", jar));
+        }
+        words.replaceAll(word -> word.endsWith("-app.jar") ? jar : word);
+        if (words.get(0).equals("java")) {
+            words.set(0, Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        }
+        ProcessBuilder builder = new ProcessBuilder(words);
+        builder.directory(folder.toFile()).redirectErrorStream(true);
+        builder.environment()
+                .put("PYTHONPATH", Path.of("python").toAbsolutePath().toString());
+        builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+        builder.environment().putAll(ENVIRONMENT);
+        builder.environment().put("ROBOSIM_JAR", jar);
+        Process process = builder.start();
+        String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor()).as("%s: %s", command, text).isZero();
+        return text;
     }
 }

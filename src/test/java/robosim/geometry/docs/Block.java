@@ -12,7 +12,7 @@ import java.util.Optional;
  * @param language what a page calls it; {@code java} in javadoc
  * @param marker   what a comment {@code <!-- java: ... -->} above it says: words between semicolons; empty where there is none
  */
-record Block(String page, int line, String language, String marker, String code) {
+public record Block(String page, int line, String language, String marker, String code) {
     String place() {
         return page + ":" + line;
     }

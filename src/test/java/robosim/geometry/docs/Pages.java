@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** The pages that people read: Markdown, and the javadoc of what is exported. */
-final class Pages {
+public final class Pages {
     private static final Pattern FENCE = Pattern.compile("^\\s*(?:```|~~~)\\s*(\\w*).*$");
     private static final Pattern MARKER = Pattern.compile("<!-- java: (.*?) -->\\s*$");
     private static final Path SOURCES = Path.of("src", "main", "java");
@@ -35,7 +35,7 @@ final class Pages {
     }
 
     /** The fenced blocks of a page, of any language. */
-    static List<Block> blocks(Path page) throws IOException {
+    public static List<Block> blocks(Path page) throws IOException {
         List<Block> blocks = new ArrayList<>();
         List<String> lines = Files.readAllLines(page);
         for (int k = 0; k < lines.size(); k++) {
