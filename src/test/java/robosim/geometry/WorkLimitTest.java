@@ -365,7 +365,7 @@ class WorkLimitTest {
     @EnumSource(Kind.class)
     void aCallThatIsEndedAnywhereLeavesNoTrace(Kind kind) {
         int ended = 0;
-        for (int seed = 0; seed < 2; seed++) {
+        for (int seed = 0; seed < Effort.cases(2); seed++) {
             SplittableRandom random = new SplittableRandom(seed);
             Geometry world = crowd(kind, seed);
             Geometry twin = crowd(kind, seed);

@@ -121,6 +121,8 @@ final class CapsuleCone implements Kernel {
         q.aim(target, off, random);
         if (random.nextInt(3) == 0) {
             graze(random, adversarial);
+        } else if (random.nextInt(12) == 0) {
+            System.arraycopy(out, 0, q.way, 0, 3); // away from it: all of it is behind the apex
         }
     }
 

@@ -45,11 +45,7 @@ final class DistanceProbe {
                         regime, "%s, and %s with a limit of %s: %s".formatted(answer, again, limit, objects.get()));
             }
         }
-        nearest.start(Dimension.SPATIAL, a, b);
-        while (!nearest.isMeasured()) {
-            nearest.step();
-        }
-        nearest.close();
+        measure(Dimension.SPATIAL, a, b);
         double early = Math.max((low - answer) / said, ends(low - nearest.high(), rounding));
         double late = Math.max((answer - high) / said, ends(nearest.low() - high, rounding));
         return Visit.number(
@@ -59,6 +55,23 @@ final class DistanceProbe {
                 (nearest.high() - nearest.low()) / said,
                 () -> "%s and [%s, %s] of [%s, %s]: %s"
                         .formatted(answer, nearest.low(), nearest.high(), low, high, objects.get()));
+    }
+
+    /** Finds the bracket of the distance. */
+    void measure(Dimension dimension, LeafColumn a, LeafColumn b) {
+        nearest.start(dimension, a, b);
+        while (!nearest.isMeasured()) {
+            nearest.step();
+        }
+        nearest.close();
+    }
+
+    double low() {
+        return nearest.low();
+    }
+
+    double high() {
+        return nearest.high();
     }
 
     /** A proven end may not pass the truth at all. */

@@ -8,6 +8,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.proof.Witnesses;
@@ -27,6 +28,9 @@ final class PlanarPair implements Kernel {
     private double[] a = {};
     private double[] b = {};
     private boolean touch;
+    private final DistanceProbe probe = new DistanceProbe();
+    private final LeafColumn columnA = new LeafColumn(1);
+    private final LeafColumn columnB = new LeafColumn(1);
     private Form formA = Form.SPHERE;
     private Form formB = Form.SPHERE;
 
@@ -114,7 +118,33 @@ final class PlanarPair implements Kernel {
         double distance = PlanarDistance.between(new Leaf(kindA, a, 0), new Leaf(kindB, b, 0), scratch.distance);
         String text = PlanarCases.paste(formA, a) + " and " + PlanarCases.paste(formB, b);
         double size = one.size() + two.size();
-        return hasOval() ? oval(one.parted(two), distance, size, text) : exact(one, two, distance, size, text);
+        Visit visit = hasOval() ? oval(one.parted(two), distance, size, text) : exact(one, two, distance, size, text);
+        if (visit.failure() != null || (touch && hasOval())) {
+            return visit;
+        }
+        double far = touch ? 0 : (hasOval() ? one.parted(two) : one.gap(two).distance()).head();
+        String wrong = bracket(far, size);
+        return wrong == null ? visit : Visit.wrong(visit.regime(), text + ": " + wrong);
+    }
+
+    /** What is wrong with the bracket of {@code ContactQuery.distance}, which holds the truth and is as narrow as is said. */
+    private @Nullable String bracket(double truth, double size) {
+        probe.measure(Dimension.PLANAR, column(formA, a, columnA), column(formB, b, columnB));
+        double low = probe.low();
+        double high = probe.high();
+        double rounding = 0x1p-52 * truth + 0x1p-80 * size;
+        boolean holds = low <= truth + rounding && high >= truth - rounding;
+        return holds && high - low <= 0x1p-44 * (high + size) && low <= high
+                ? null
+                : "the distance is " + truth + " (got: " + low + " to " + high + ")";
+    }
+
+    private static LeafColumn column(Form form, double[] row, LeafColumn column) {
+        column.clear();
+        column.append(1);
+        column.setKind(0, PlanarCases.kind(form));
+        System.arraycopy(row, 0, column.rows(0), column.at(0), Leaf.STRIDE);
+        return column;
     }
 
     private Visit exact(PlanarTwin one, PlanarTwin two, double distance, double size, String text) {

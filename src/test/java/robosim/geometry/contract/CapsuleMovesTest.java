@@ -2,14 +2,8 @@ package robosim.geometry.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.math.BigDecimal;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
-import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
-import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -19,9 +13,8 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.reference.Gaps;
 
-/** A capsule that moves: never through anything, up to contact, along a floor, and about its own axis. */
+/** A capsule that moves along a floor, and about its own axis. The census has its straight ways at all other shapes. */
 class CapsuleMovesTest {
     private static Geometry world(Dimension dimension, GeometryObject... objects) {
         Geometry world = new Geometry(1000, 1000, 1000, dimension, Accuracy.EXACT);
@@ -29,51 +22,6 @@ class CapsuleMovesTest {
             assertThat(world.addObjectUnchecked(object)).isTrue();
         }
         return world;
-    }
-
-    @ParameterizedTest
-    @EnumSource(Dimension.class)
-    void goesUpToContactAndNoFurther(Dimension dimension) {
-        SplittableRandom random = new SplittableRandom(71 + dimension.ordinal());
-        RandomObjects objects = new RandomObjects(random, 3);
-        int met = 0;
-        int free = 0;
-        int count = Effort.cases(20, dimension == Dimension.PLANAR ? 14 : 8);
-        for (int k = 0; k < count; k++) {
-            GeometryObject still = objects.plain();
-            if (still.kind() == GeometryObject.Kind.GROUP || still.kind() == GeometryObject.Kind.CYLINDER) {
-                continue;
-            }
-            CapsuleObject mover = new CapsuleObject(new Point(), random.nextDouble(0.01, 0.6), random.nextDouble(2))
-                    .turned(k % 3 == 0 ? 0 : random.nextDouble(-180, 180), objects.heading())
-                    .movedTo(objects.place())
-                    .moveable("mover");
-            if (Gaps.overlap(mover, still, dimension)) {
-                continue;
-            }
-            Point to = still.center();
-            Point way = new Point(
-                    to.x() - mover.center().x() + random.nextDouble(-0.7, 0.7),
-                    to.y() - mover.center().y() + random.nextDouble(-0.7, 0.7),
-                    to.z() - mover.center().z() + random.nextDouble(-0.7, 0.7));
-            MoveResult result =
-                    world(dimension, still, mover).moveGlobal("mover", new Move(way.x(), way.y(), way.z(), 0, 0));
-            BigDecimal truth = Gaps.touch(mover, way, still, dimension);
-            String what = mover + " by " + way + " at " + still;
-            if (truth == null) {
-                free++;
-                assertThat(result.allowed()).as(what).isTrue();
-                continue;
-            }
-            met++;
-            assertThat(result.allowed()).as(what).isFalse();
-            assertThat(result.fraction())
-                    .as(what)
-                    .isLessThanOrEqualTo(truth.doubleValue())
-                    .isGreaterThan(truth.doubleValue() - 1e-7);
-        }
-        assertThat(met).isGreaterThan(count / 5);
-        assertThat(free).isPositive();
     }
 
     /** It stands on a floor of tiles of equal height, and lies on it. */

@@ -3,7 +3,6 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -55,7 +54,7 @@ class GridAsBoxesTest {
                 new Geometry(SIZE, SIZE, SIZE, dimension, Accuracy.EXACT),
                 new Geometry(SIZE, SIZE, SIZE, dimension, Accuracy.EXACT));
         assertThat(pair.grid.addObjectUnchecked(grid)).isTrue();
-        for (BoxObject box : boxes(grid)) {
+        for (BoxObject box : RandomGrids.boxes(grid)) {
             assertThat(pair.boxes.addObjectUnchecked(box)).isTrue();
         }
         RandomObjects objects = new RandomObjects(random, SPREAD);
@@ -64,18 +63,6 @@ class GridAsBoxesTest {
             pair.add(k % 2 == 0 ? object.moveable("mover " + k) : object.named("object " + k));
         }
         return pair;
-    }
-
-    private static List<BoxObject> boxes(GridObject grid) {
-        List<BoxObject> boxes = new ArrayList<>();
-        for (int row = 0; row < grid.rows(); row++) {
-            for (int column = 0; column < grid.columns(); column++) {
-                if (grid.isOccupied(column, row)) {
-                    boxes.add(grid.box(column, row));
-                }
-            }
-        }
-        return boxes;
     }
 
     private static boolean isNamed(GeometryObject object) {

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
-import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -27,69 +26,6 @@ class StepProofTest {
 
     private static GeometryObject disc(String name, double x, double z, double radius) {
         return new CylinderObject(new Point(x, 0, z), radius, 1).moveable(name);
-    }
-
-    /** Bodies of all sizes and speeds in a closed cell with a wedge: no overlap, nobody out, and a thin wall keeps its sides. */
-    @Test
-    void nothingOverlapsAndNothingPassesThrough() {
-        long asked = 300;
-        SplittableRandom random = new SplittableRandom(21);
-        long met = 0;
-        for (long steps = 0; steps < asked; ) {
-            Geometry world = world(8);
-            // It parts the cell from border to border.
-            assertThat(world.addObjectUnchecked(new BoxObject(new Point(0, 0, 0), 1e-9, 1, 8)))
-                    .isTrue();
-            world.addObject(new BoxObject(new Point(2, 0, -2), 3, 1, 1e-3).turned(0, random.nextDouble(10, 80)));
-            Dynamics dynamics = new Dynamics(world, new Surface(0.5, 0.5, 0.4));
-            List<String> names = new ArrayList<>();
-            List<Double> sides = new ArrayList<>();
-            for (int k = 0; k < 9; k++) {
-                Point c = new Point(random.nextDouble(-3.5, 3.5), 0, random.nextDouble(-3.5, 3.5));
-                double size = random.nextDouble(0.2, 0.9);
-                GeometryObject body = k % 3 == 0
-                        ? disc("b" + k, c.x(), c.z(), size / 2)
-                        : new BoxObject(c, size, 1, size * random.nextDouble(0.1, 1))
-                                .turned(0, random.nextDouble(360))
-                                .moveable("b" + k);
-                if (world.addObject(body)) {
-                    names.add("b" + k);
-                    sides.add(Math.signum(c.x()));
-                    dynamics.add(
-                            "b" + k,
-                            Body.ofMass(body, random.nextDouble(0.1, 10))
-                                    .withSurface(new Surface(random.nextDouble(), 0.5, 0.4)));
-                }
-            }
-            for (int step = 0; step < 30; step++, steps++) {
-                for (int k = 0; k < names.size() && step % 5 == 0; k++) {
-                    double speed = random.nextInt(4) == 0 ? 1e4 : 5;
-                    dynamics.setVelocity(
-                            names.get(k),
-                            new Twist(
-                                    random.nextDouble(-speed, speed),
-                                    0,
-                                    random.nextDouble(-speed, speed),
-                                    random.nextDouble(-400, 400)));
-                }
-                met += dynamics.step(random.nextInt(3) == 0 ? 1e-3 : random.nextDouble(0.2))
-                        .contacts()
-                        .size();
-                List<GeometryObject> all = world.objects();
-                for (int i = 0; i < all.size(); i++) {
-                    for (int j = 0; j < i; j++) {
-                        assertThat(all.get(i).isMoveable() && CollisionDetection.intersects(all.get(i), all.get(j)))
-                                .as("%s and %s", all.get(i), all.get(j))
-                                .isFalse();
-                    }
-                }
-                for (int k = 0; k < names.size(); k++) {
-                    Point c = world.getObject(names.get(k)).center();
-                    assertThat(Math.signum(c.x())).as(names.get(k)).isEqualTo(sides.get(k));
-                }
-            }
-        }
-        assertThat(met).isGreaterThan(asked);
     }
 
     /** A disc slides along a smooth wall, pressed against it by each step anew. */

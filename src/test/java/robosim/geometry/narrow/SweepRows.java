@@ -83,39 +83,6 @@ public final class SweepRows {
         };
     }
 
-    /** The same leaf with coordinates and sizes on a coarse grid and quarter turns: full of ties. */
-    public static double[] onGrid(LeafKind kind, int spread, SplittableRandom random) {
-        double[] row = new double[Leaf.STRIDE];
-        if (kind == LeafKind.TRIANGLE) {
-            for (int k = 0; k < 9; k++) {
-                row[k] = random.nextInt(-spread, spread + 1);
-            }
-        } else if (kind == LeafKind.PRISM) {
-            double[] points = new double[9];
-            for (int k = 0; k < 9; k++) {
-                points[k] = random.nextInt(-spread, spread + 1);
-            }
-            row = prism(points);
-            for (int k = 0; k < 10; k++) {
-                row[k] = Math.rint(row[k]);
-            }
-        } else {
-            boolean round = kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.SPHERE;
-            fill(
-                    row,
-                    random.nextInt(-spread, spread + 1),
-                    random.nextInt(-spread, spread + 1),
-                    random.nextInt(-spread, spread + 1),
-                    random.nextInt(0, 3),
-                    kind == LeafKind.SPHERE ? 0 : random.nextInt(0, 3),
-                    round ? 0 : random.nextInt(0, 3));
-            if (!round) {
-                Rotations.yaw(90 * random.nextInt(4), 0, row, Leaf.ROTATION);
-            }
-        }
-        return row;
-    }
-
     private static double[] points(double x, double y, double z, int count, SplittableRandom random) {
         double[] points = new double[3 * count];
         for (int k = 0; k < points.length; k += 3) {

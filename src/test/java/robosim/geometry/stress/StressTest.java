@@ -40,9 +40,16 @@ class StressTest {
                 .toList();
         assertThat(families).as("families named " + NAMES).isNotEmpty();
         boolean isLong = RANDOM > 100_000 || ADVERSARIAL > 100_000;
-        int threads = Runtime.getRuntime().availableProcessors();
-        StressRun run = new StressRun(SEED, threads, System.out, isLong);
-        List<Tally> tallies = run.run(families, RANDOM, ADVERSARIAL);
+        List<Tally> tallies = new ArrayList<>();
+        for (Family family : families) {
+            for (boolean adversarial : new boolean[] {false, true}) {
+                Tally tally = Tally.of(family, adversarial, SEED, adversarial ? ADVERSARIAL : RANDOM, isLong);
+                tallies.add(tally);
+                if (isLong) {
+                    System.out.println(tally);
+                }
+            }
+        }
         List<Fallback> fallbacks = families.stream()
                 .map(family -> Fallback.measure(family, SEED, isLong ? LONG_FALLBACK : SHORT_FALLBACK))
                 .toList();
@@ -106,8 +113,8 @@ class StressTest {
     @Test
     void theResultDoesNotDependOnTheNumberOfThreads() {
         Family family = Families.all().get(0);
-        Tally alone = new StressRun(1, 1, System.out, false).run(family, true, 3L * Chunk.CASES);
-        Tally together = new StressRun(1, 3, System.out, false).run(family, true, 3L * Chunk.CASES);
+        Tally alone = Tally.of(family, true, 1, 3L * Chunk.CASES, false);
+        Tally together = Tally.of(family, true, 1, 3L * Chunk.CASES, true);
         assertThat(together.digest()).isEqualTo(alone.digest());
         assertThat(together.yes()).isEqualTo(alone.yes());
     }

@@ -1,6 +1,8 @@
 package robosim.geometry.stress;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.LongStream;
 import robosim.geometry.proof.Witnesses;
 
 /**
@@ -29,6 +31,18 @@ record Tally(
         List<String> failures) {
     static final int FAILURES = 5;
 
+    /** Asks so many cases of one sort of one family; the result depends on the seed and the number alone. */
+    static Tally of(Family family, boolean adversarial, long seed, long cases, boolean isParallel) {
+        LongStream chunks = LongStream.range(0, (cases + Chunk.CASES - 1) / Chunk.CASES);
+        return (isParallel ? chunks.parallel() : chunks)
+                .mapToObj(c -> {
+                    int count = (int) Math.min(Chunk.CASES, cases - c * Chunk.CASES);
+                    return Chunk.run(family, adversarial, seed, c, count);
+                })
+                .reduce(Tally::plus)
+                .orElseThrow();
+    }
+
     double share() {
         return (double) yes / cases;
     }
@@ -43,7 +57,7 @@ record Tally(
     }
 
     Tally plus(Tally that) {
-        List<String> both = new java.util.ArrayList<>(failures);
+        List<String> both = new ArrayList<>(failures);
         both.addAll(that.failures);
         return new Tally(
                 family,

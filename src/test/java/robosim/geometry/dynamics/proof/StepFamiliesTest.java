@@ -7,13 +7,13 @@ import org.junit.jupiter.api.Test;
 
 /**
  * All families of scenes: no overlap, decided without the world's own code, nobody through a wall, no energy from nowhere.
- * {@code -Ddynamics.steps=N} for N steps; {@link StepProof} as a program tells how far it is.
+ * {@code -Ddynamics.steps=N} for N steps.
  */
 class StepFamiliesTest {
     @Test
     void nothingOverlapsAndNothingPassesThrough() {
         long steps = Long.getLong("dynamics.steps", 3000);
-        StepProof proof = new StepProof(StepProof.all(), steps, steps > 100_000).run(1);
+        StepProof proof = new StepProof(StepProof.all(), steps).run(steps > 100_000);
         assertThat(proof.failures).isEmpty();
         assertThat(proof.steps()).isGreaterThanOrEqualTo(steps);
         assertThat(proof.contacts.get()).isGreaterThan(proof.steps() / 2);
@@ -25,8 +25,8 @@ class StepFamiliesTest {
     /** One digest, whatever the threads and the JVM. */
     @Test
     void theBitsAreTheSameEverywhere() {
-        StepProof alone = new StepProof(StepProof.all(), 1000, false).run(1);
-        StepProof together = new StepProof(StepProof.all(), 1000, false).run(3);
+        StepProof alone = new StepProof(StepProof.all(), 1000).run(false);
+        StepProof together = new StepProof(StepProof.all(), 1000).run(true);
         assertThat(together.digest.get()).isEqualTo(alone.digest.get());
         assertThat(Long.toHexString(alone.digest.get())).isEqualTo("484957cd6fc163b9");
     }
@@ -34,7 +34,7 @@ class StepFamiliesTest {
     /** Of a lying cylinder the rims are lines, whose hull was once cut short: it went into a wall. */
     @Test
     void aLyingCylinderKeepsOutOfAWall() {
-        StepProof proof = new StepProof(List.of(StepFamily.SHAPES), 1, false);
+        StepProof proof = new StepProof(List.of(StepFamily.SHAPES), 1);
         assertThat(proof.run(StepFamily.SHAPES, 168839)).isNull();
     }
 }

@@ -3,10 +3,7 @@ package robosim.geometry.narrow.cone;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.Arrays;
-import java.util.Objects;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
@@ -25,7 +22,6 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.PlanarRayTest;
-import robosim.geometry.reference.DecimalRoot;
 import robosim.geometry.reference.PlanarTwin;
 import robosim.geometry.reference.SectorTwin;
 
@@ -85,42 +81,6 @@ class PlanarConeTest {
         assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
         assertThat(edges).isGreaterThan(count / 20);
         assertThat(inside).isGreaterThan(count / 50);
-    }
-
-    @Test
-    void noRayWithinIsShorter() {
-        PlanarRows rows = new PlanarRows(22);
-        int hits = 0;
-        int close = 0;
-        for (int k = 0; k < 1400; k++) {
-            LeafKind kind = Leaves.KINDS[k % 9];
-            double[] row = rows.row(kind, 1, 1);
-            double ox = rows.between(3);
-            double oz = 3;
-            double aim = -1.5 + rows.between(0.5);
-            double half = 0.3;
-            double distance = cone(ox, oz, aim, half, kind, row);
-            double least = Double.POSITIVE_INFINITY;
-            for (int n = 0; n <= 400; n++) {
-                double at = aim - half + 2 * half * n / 400;
-                least = Math.min(
-                        least,
-                        PlanarRay.distance(
-                                new BeamAxis().line(ox, 0, oz, StrictMath.cos(at), 0, StrictMath.sin(at)),
-                                kind,
-                                row,
-                                0,
-                                scratch.ray));
-            }
-            String text = PlanarRayTest.text(ox, oz, aim, half, kind, row);
-            assertThat(distance).as(text).isLessThanOrEqualTo(least + 1e-12);
-            if (distance < Double.POSITIVE_INFINITY) {
-                hits++;
-                close += least - distance < 1e-2 ? 1 : 0;
-            }
-        }
-        assertThat(hits).isBetween(300, 1300);
-        assertThat(close).isGreaterThan(hits * 8 / 10);
     }
 
     @Test
@@ -275,68 +235,6 @@ class PlanarConeTest {
                 scratch.cone);
         double corner = 2.756099438844037991918081911386361370588574992677922998494749844508841E-11;
         assertThat(distance).isBetween(corner - 8 * Math.ulp(corner), corner + 8 * Math.ulp(corner));
-    }
-
-    /** Small triangles wholly within the sector: the nearest point is theirs, by 60 digits. */
-    @Test
-    void whatIsWhollyWithinIsAsFarAsItsNearestPointWithinEightUlp() {
-        SplittableRandom random = new SplittableRandom(23);
-        int corners = 0;
-        int count = 6000;
-        double worst = 0;
-        for (int n = 0; n < count; n++) {
-            double size = Math.scalb(1.0, -random.nextInt(1, 40));
-            double aim = random.nextDouble(-3, 3);
-            double ox = random.nextDouble(-1, 1);
-            double oz = random.nextDouble(-1, 1);
-            double x = ox + 2 * StrictMath.cos(aim);
-            double z = oz + 2 * StrictMath.sin(aim);
-            // A side square to the way to it, so that its foot is near an end.
-            double along =
-                    random.nextInt(2) == 0 ? random.nextDouble(-0.6, 0.6) : 0.5 + random.nextDouble(-4, 4) * size;
-            double px = -size * StrictMath.sin(aim);
-            double pz = size * StrictMath.cos(aim);
-            double[] row = triangle(
-                    x + (along - 0.5) * px,
-                    z + (along - 0.5) * pz,
-                    x + (along + 0.5) * px,
-                    z + (along + 0.5) * pz,
-                    x + size * StrictMath.cos(aim),
-                    z + size * StrictMath.sin(aim));
-            BigDecimal truth = nearest(ox, oz, row);
-            double distance = cone(ox, oz, aim, 1.2, LeafKind.TRIANGLE, row);
-            double largest = Math.max(distance, Math.max(Math.abs(x), Math.abs(z)) + size);
-            double ulps = new BigDecimal(distance).subtract(truth).abs().doubleValue() / Math.ulp(largest);
-            assertThat(ulps)
-                    .as(PlanarRayTest.text(ox, oz, aim, 1.2, LeafKind.TRIANGLE, row))
-                    .isLessThanOrEqualTo(8);
-            worst = Math.max(worst, ulps);
-            corners += Math.abs(along) > 0.5 ? 1 : 0;
-        }
-        assertThat(worst).isGreaterThan(0.8);
-        assertThat(corners).isBetween(count / 10, count * 9 / 10);
-    }
-
-    private static BigDecimal nearest(double ox, double oz, double[] row) {
-        MathContext digits = new MathContext(60);
-        BigDecimal least = null;
-        for (int k = 0; k < 9; k += 3) {
-            int next = (k + 3) % 9;
-            BigDecimal ax = new BigDecimal(row[k]).subtract(new BigDecimal(ox));
-            BigDecimal az = new BigDecimal(row[k + 2]).subtract(new BigDecimal(oz));
-            BigDecimal ex = new BigDecimal(row[next]).subtract(new BigDecimal(row[k]));
-            BigDecimal ez = new BigDecimal(row[next + 2]).subtract(new BigDecimal(row[k + 2]));
-            BigDecimal square = ex.multiply(ex).add(ez.multiply(ez));
-            BigDecimal ahead = ax.multiply(ex).add(az.multiply(ez)).negate();
-            BigDecimal share = square.signum() == 0
-                    ? BigDecimal.ZERO
-                    : ahead.divide(square, digits).max(BigDecimal.ZERO).min(BigDecimal.ONE);
-            BigDecimal px = ax.add(ex.multiply(share));
-            BigDecimal pz = az.add(ez.multiply(share));
-            BigDecimal distance = DecimalRoot.of(px.multiply(px).add(pz.multiply(pz)), digits);
-            least = least == null ? distance : least.min(distance);
-        }
-        return Objects.requireNonNull(least);
     }
 
     private static double[] triangle(double ax, double az, double bx, double bz, double cx, double cz) {

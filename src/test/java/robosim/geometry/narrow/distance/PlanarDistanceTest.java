@@ -3,10 +3,6 @@ package robosim.geometry.narrow.distance;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
-import java.util.Arrays;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
@@ -16,7 +12,6 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
-import robosim.geometry.reference.DecimalRoot;
 
 class PlanarDistanceTest {
     private final Scratch scratch = new Scratch();
@@ -58,31 +53,6 @@ class PlanarDistanceTest {
                     .as("triangles at 2^%d", power)
                     .isCloseTo(Math.sqrt(18) * unit, within(unit / 2));
         }
-    }
-
-    @Test
-    void randomPairsAgreeWithTheReference() {
-        PlanarRows rows = new PlanarRows(31);
-        int apart = 0;
-        int count = Effort.cases(3000);
-        for (int k = 0; k < count; k++) {
-            LeafKind kindA = rows.exactKind();
-            LeafKind kindB = rows.exactKind();
-            double[] a = rows.row(kindA, 1, 1);
-            double[] b = rows.row(kindB, 1, 1);
-            double truth = PlanarRows.touch(kindA, a, kindB, b)
-                    ? 0
-                    : PlanarRows.twin(kindA, a)
-                            .gap(PlanarRows.twin(kindB, b))
-                            .distance()
-                            .head();
-            double distance = between(kindA, a, kindB, b);
-            assertThat(Math.abs(distance - truth))
-                    .as(PlanarOverlapTest.pair(kindA, a, kindB, b))
-                    .isLessThan(8 * Math.ulp(2.5));
-            apart += truth > 0 ? 1 : 0;
-        }
-        assertThat(apart).isBetween(count * 3 / 10, count * 7 / 10);
     }
 
     @Test
@@ -156,66 +126,5 @@ class PlanarDistanceTest {
         }
         assertThat(worst).isLessThan(0x1p-43);
         assertThat(apart).isBetween(300, 800);
-    }
-
-    /** A large disc close to a box at any heading: as good as the distance, not as the radius. */
-    @Test
-    void aDiscBesideACornerIsWithinAnUlpOfTheDistance() {
-        SplittableRandom random = new SplittableRandom(16);
-        double[] box = new double[Leaf.STRIDE];
-        double[] disc = new double[Leaf.STRIDE];
-        int apart = 0;
-        int corners = 0;
-        int count = Effort.cases(20_000);
-        for (int k = 0; k < count; k++) {
-            double heading = random.nextDouble(-3, 3);
-            double c = random.nextInt(4) == 0 ? 1 : StrictMath.cos(heading);
-            double s = c == 1 ? 0 : StrictMath.sin(heading);
-            box[6] = c;
-            box[8] = s;
-            box[10] = 1;
-            box[12] = 0.0 - s;
-            box[14] = c;
-            box[0] = random.nextDouble(-3, 3);
-            box[2] = random.nextDouble(-3, 3);
-            box[3] = random.nextDouble(2);
-            box[5] = random.nextDouble(2);
-            double r = StrictMath.pow(10, random.nextDouble(-3, 8));
-            double gap = r * StrictMath.pow(10, random.nextDouble(-13, 1));
-            boolean isCorner = random.nextInt(4) != 0;
-            double x = isCorner ? 1 : random.nextDouble(-1, 1);
-            double along = isCorner ? random.nextDouble(1.57) : 1.5707963267948966;
-            double wx = box[3] * x + (r + gap) * StrictMath.cos(along);
-            double wz = box[5] + (r + gap) * StrictMath.sin(along);
-            disc[0] = box[0] + c * wx + s * wz;
-            disc[2] = box[2] - s * wx + c * wz;
-            disc[3] = r;
-            double truth = cornerDistance(disc, box);
-            double distance = PlanarDistance.between(
-                    new Leaf(LeafKind.SPHERE, disc, 0), new Leaf(LeafKind.UPRIGHT_BOX, box, 0), scratch.distance);
-            assertThat(distance)
-                    .as("disc %s, box %s", Arrays.toString(disc), Arrays.toString(box))
-                    .isCloseTo(Math.max(0, truth), within(3 * Math.ulp(truth) + 0x1p-98 * r));
-            apart += truth > 0 ? 1 : 0;
-            corners += isCorner ? 1 : 0;
-        }
-        assertThat(apart).isBetween(count * 7 / 10, count);
-        assertThat(corners).isBetween(count * 7 / 10, count * 8 / 10);
-    }
-
-    // To sixty digits, from the stored numbers.
-    private static double cornerDistance(double[] disc, double[] box) {
-        MathContext digits = new MathContext(60);
-        BigDecimal c = new BigDecimal(box[6]);
-        BigDecimal s = new BigDecimal(box[8]);
-        BigDecimal square = c.multiply(c).add(s.multiply(s));
-        BigDecimal dx = new BigDecimal(disc[0]).subtract(new BigDecimal(box[0]));
-        BigDecimal dz = new BigDecimal(disc[2]).subtract(new BigDecimal(box[2]));
-        BigDecimal x = dx.multiply(c).subtract(dz.multiply(s)).abs();
-        BigDecimal z = dx.multiply(s).add(dz.multiply(c)).abs();
-        x = x.subtract(new BigDecimal(box[3]).multiply(square)).max(BigDecimal.ZERO);
-        z = z.subtract(new BigDecimal(box[5]).multiply(square)).max(BigDecimal.ZERO);
-        BigDecimal far = DecimalRoot.of(x.multiply(x).add(z.multiply(z)).divide(square, digits), digits);
-        return far.subtract(new BigDecimal(disc[3])).doubleValue();
     }
 }

@@ -7,11 +7,9 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
-import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.reference.Decimals;
@@ -87,43 +85,6 @@ class CylinderCylinderTest {
         assertThat(touching).isGreaterThan(Effort.cases(400));
         assertThat(close).isGreaterThan(Effort.cases(300));
         assertThat(doubtful).isBetween(1, close / 2);
-    }
-
-    /** Pairs apart along a known direction: the distance is the lower end of a bracket. */
-    @Test
-    void distancesAreHardlyBelowTheTruth() {
-        SplittableRandom random = new SplittableRandom(103);
-        double worst = 0;
-        for (int n = 0; n < Effort.cases(1500); n++) {
-            double[] direction = new double[3];
-            LeafKind kindA = n % 3 == 0 ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER;
-            double[] a = cylinder(random, 1);
-            double[] b = cylinder(random, 1);
-            if (n % 7 == 0) {
-                nearlyParallel(kindA, a, b, random);
-            }
-            direction(n / 3 % 6, kindA, a, b, random, direction);
-            double gap = Math.pow(10, -random.nextDouble(-1, 9));
-            place(kindA, a, b, direction, gap, n % 4 == 0 ? 1e3 : 0);
-            CylinderTwin p = new CylinderTwin(kindA, a);
-            CylinderTwin q = new CylinderTwin(LeafKind.CYLINDER, b);
-            BigDecimal[] normal = CylinderTwin.decimals(direction);
-            double least = p.gap(q, normal).doubleValue();
-            BigDecimal[] way = Decimals.minus(q.furthest(CylinderTwin.negate(normal)), p.furthest(normal));
-            double most =
-                    n / 3 % 6 == 5 ? CylinderTwin.root(Decimals.dot(way, way)).doubleValue() : least * (1 + 0x1p-30);
-            String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b) + " gap " + least;
-            double answer =
-                    SpatialDistance.between(new Leaf(kindA, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.distance);
-            assertThat(SpatialDistance.between(
-                            new Leaf(LeafKind.CYLINDER, b, 0), new Leaf(kindA, a, 0), scratch.distance))
-                    .as(pair)
-                    .isEqualTo(answer);
-            assertThat(answer).as(pair).isLessThanOrEqualTo(most * (1 + 0x1p-52));
-            worst = Math.max(worst, (least - answer) / (0x1p-44 * least + 0x1p-40));
-            assertThat(answer).as(pair).isGreaterThan(least - (0x1p-44 * least + 0x1p-40));
-        }
-        assertThat(worst).isGreaterThan(0.1); // the bound is not idle
     }
 
     private static double[] cylinder(SplittableRandom random, double scale) {
@@ -252,38 +213,6 @@ class CylinderCylinderTest {
         }
         assertThat(touching).isGreaterThan(700);
         assertThat(apart).isGreaterThan(400);
-    }
-
-    /** One axis of full precision, and places within some ulp of touch. */
-    @Test
-    void parallelCylindersAreExactToTheLastBit() {
-        SplittableRandom random = new SplittableRandom(104);
-        int touching = 0;
-        int count = Effort.cases(20_000);
-        for (int n = 0; n < count; n++) {
-            double[] a = cylinder(random, 1);
-            double[] b = cylinder(random, 1);
-            for (int k = 7; k <= 13; k += 3) {
-                b[k] = n % 3 == 0 ? -a[k] : a[k];
-            }
-            double[] axis = {a[7], a[10], a[13]};
-            double[] aside = cross(axis, new double[] {random.nextDouble(-1, 1), random.nextDouble(-1, 1), 1});
-            double length = VectorMath.length(aside[0], aside[1], aside[2]);
-            boolean level = n % 2 == 0;
-            double reach = level ? a[3] + b[3] : a[4] + b[4];
-            for (int k = 0; k < 3; k++) {
-                double across = aside[k] / length;
-                b[k] = a[k] + reach * (level ? across : axis[k]) + 0.05 * (level ? axis[k] : across);
-            }
-            b[n % 3] += random.nextInt(-2, 3) * Math.ulp(b[n % 3]);
-            boolean truth = exactlyParallel(LeafKind.CYLINDER, a, b);
-            touching += truth ? 1 : 0;
-            assertThat(SpatialOverlap.test(
-                            new Leaf(LeafKind.CYLINDER, a, 0), new Leaf(LeafKind.CYLINDER, b, 0), scratch.overlap))
-                    .as(Arrays.toString(a) + " with " + Arrays.toString(b))
-                    .isEqualTo(truth);
-        }
-        assertThat(touching).isBetween(count * 2 / 10, count * 8 / 10);
     }
 
     private static boolean exactlyParallel(LeafKind kindA, double[] a, double[] b) {

@@ -34,21 +34,6 @@ public class PlanarOverlapTest {
     }
 
     @Test
-    void randomPairsAgreeWithTheReference() {
-        PlanarRows rows = new PlanarRows(1);
-        int hits = 0;
-        int count = 4000;
-        for (int k = 0; k < count; k++) {
-            LeafKind kindA = rows.exactKind();
-            LeafKind kindB = rows.exactKind();
-            double[] a = rows.row(kindA, 1, 1);
-            double[] b = rows.row(kindB, 1, 1);
-            hits += checked(kindA, a, kindB, b) ? 1 : 0;
-        }
-        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
-    }
-
-    @Test
     void ofNoSizeAndInOnePlaceAllTouch() {
         double[][] rows = new double[5][];
         PlanarRows make = new PlanarRows(4);

@@ -2,8 +2,6 @@ package robosim.geometry.narrow.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.Arrays;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.Scratch;
@@ -12,39 +10,9 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PivotTurn;
 
-/** Turns in the plane, against sampled poses: no contact before the answer, and contact right after it. */
+/** Discs that turn past the end of a side. The census has the random turns, in every regime. */
 class PlanarTurnSweepTest {
-    private static final LeafKind[] KINDS = {
-        LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.SPHERE, LeafKind.BOX, LeafKind.TRIANGLE
-    };
-
     private final Scratch scratch = new Scratch();
-    private final SplittableRandom random = new SplittableRandom(20052);
-    private int contacts;
-    private int hits;
-    private int misses;
-    private int blocked;
-
-    @Test
-    void isFreeUpToContactAndNoFurther() {
-        int count = 0;
-        for (int k = 0; k < 15; k++) {
-            for (LeafKind kindA : KINDS) {
-                for (LeafKind kindB : KINDS) {
-                    double[] a = SweepRows.random(kindA, 1.6, random);
-                    double[] b = SweepRows.random(kindB, 1.6, random);
-                    double px = k % 3 == 0 ? centre(kindA, a, 0) : random.nextDouble(-2, 2);
-                    double pz = k % 3 == 0 ? centre(kindA, a, 2) : random.nextDouble(-2, 2);
-                    check(kindA, a, px, pz, random.nextDouble(-400, 400), kindB, b);
-                    count++;
-                }
-            }
-        }
-        assertThat(hits).isGreaterThan(count / 10);
-        assertThat(misses).isGreaterThan(count / 10);
-        assertThat(contacts).isGreaterThan(count / 10);
-        assertThat(blocked).isGreaterThan(count / 20);
-    }
 
     /** It grazes the line of a side beyond the side's end: the way along that line is no part of the contact. */
     @Test
@@ -111,38 +79,6 @@ class PlanarTurnSweepTest {
                 scratch.sweep);
         double gap = gap(LeafKind.SPHERE, disc, px, pz, 35.23771176608052 * share, LeafKind.BOX, box);
         assertThat(gap).as("share %s", share).isGreaterThan(-1e-14);
-    }
-
-    private static double centre(LeafKind kind, double[] row, int axis) {
-        return kind == LeafKind.PRISM ? 0.5 * (row[axis] + row[axis + 1]) : row[axis];
-    }
-
-    private void check(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
-        String what = "kind %s %s about (%s, %s) by %s, kind %s %s"
-                .formatted(kindA, Arrays.toString(a), px, pz, degrees, kindB, Arrays.toString(b));
-        double share = PlanarSweep.turn(
-                new Leaf(kindA, a, 0),
-                new PivotTurn().about(px, 0, pz).by(0, 1, 0, degrees),
-                new Leaf(kindB, b, 0),
-                scratch.sweep);
-        double start = gap(kindA, a, px, pz, 0, kindB, b);
-        double limit = Math.min(start, 0);
-        double end = Math.min(1, share);
-        for (int k = 0; k <= 100; k++) {
-            double gap = gap(kindA, a, px, pz, degrees * end * k / 100, kindB, b);
-            assertThat(gap).as(what).isGreaterThan(limit - 1e-13);
-        }
-        if (share <= 1) {
-            assertThat(share).as(what).isLessThan(1);
-            // Contact, or the depth of the start, comes at once.
-            assertThat(gap(kindA, a, px, pz, degrees * share, kindB, b))
-                    .as(what)
-                    .isLessThan(limit + 1e-12);
-            blocked += share == 0 ? 1 : 0;
-        }
-        contacts += start <= 0 ? 1 : 0;
-        hits += start > 0 && share <= 1 ? 1 : 0;
-        misses += start > 0 && share > 1 ? 1 : 0;
     }
 
     /** Distance of the two, or less the depth, when the first is turned about the upward vertical. */
