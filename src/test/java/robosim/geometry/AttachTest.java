@@ -49,7 +49,9 @@ class AttachTest {
         assertThat(world.objects()).hasSize(4);
         assertThat(world.getObject("barrel")).isInstanceOf(CylinderObject.class);
         assertThat(world.getObject("truck"))
-                .isEqualTo(new BoxObject(new Point(-2, 0, -1), 2, 1, 1).moveable("truck").turned(0, 90));
+                .isEqualTo(new BoxObject(new Point(-2, 0, -1), 2, 1, 1)
+                        .moveable("truck")
+                        .turned(0, 90));
         assertThat(world.simpleMove("truck", -1, 0, 0)).isTrue();
         assertThat(world.getObject("barrel").center()).isEqualTo(new Point(-1.9, 0, -2.5));
         assertThat(world.carrierOf("barrel")).isNull();
@@ -77,13 +79,17 @@ class AttachTest {
     @Test
     void aGivenPoseIsChecked() {
         Geometry world = world(Dimension.SPATIAL);
-        assertThat(world.attach("truck", "ball", Pose.of(new Point(2.8, 0, 4), 0))).isTrue();
+        assertThat(world.attach("truck", "ball", Pose.of(new Point(2.8, 0, 4), 0)))
+                .isTrue();
         near(world.getObject("ball").center(), new Point(0.8, 0, 4));
         List<GeometryObject> before = world.objects();
-        assertThat(world.attach("truck", "barrel", Pose.of(new Point(7, 0, 0), 0))).isFalse(); // the wall
-        assertThat(world.attach("truck", "barrel", Pose.of(new Point(-7.9, 0, 0), 0))).isFalse(); // the border
+        assertThat(world.attach("truck", "barrel", Pose.of(new Point(7, 0, 0), 0)))
+                .isFalse(); // the wall
+        assertThat(world.attach("truck", "barrel", Pose.of(new Point(-7.9, 0, 0), 0)))
+                .isFalse(); // the border
         assertThat(world.objects()).isEqualTo(before);
-        assertThat(world.attach("truck", "barrel", Pose.of(new Point(0, 0, 0), 30))).isTrue(); // inside its carrier
+        assertThat(world.attach("truck", "barrel", Pose.of(new Point(0, 0, 0), 30)))
+                .isTrue(); // inside its carrier
     }
 
     @Test
@@ -150,8 +156,8 @@ class AttachTest {
                     .at(truck));
             other.addObject(new BoxObject(new Point(5, 0, 0), 1, 4, 6).named("wall"));
             for (int k = 0; k < 30; k++) {
-                Move move = new Move(
-                        random.nextDouble(-2, 2), 0, random.nextDouble(-1, 1), 0, random.nextDouble(-60, 60));
+                Move move =
+                        new Move(random.nextDouble(-2, 2), 0, random.nextDouble(-1, 1), 0, random.nextDouble(-60, 60));
                 MoveResult a = world.move("truck", move);
                 MoveResult b = other.move("truck", move);
                 assertThat(a.allowed()).isEqualTo(b.allowed());

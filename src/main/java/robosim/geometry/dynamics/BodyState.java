@@ -225,7 +225,8 @@ final class BodyState implements Cloneable {
     /** A force has the direction that the body has halfway; nothing but it turns the velocity, as wheels do. */
     private void beginForced(ForceDrive given, double heading, double rest, double seconds) {
         ForceDrive force = aboutMass(given);
-        double turn = force.next(velocity(heading, rest, 0, 0), acting, 0.5 * seconds).ry();
+        double turn =
+                force.next(velocity(heading, rest, 0, 0), acting, 0.5 * seconds).ry();
         double by = 0.5 * turn * seconds;
         aimHeading = heading + by;
         aimRest = rest + DoubleDouble.sumTail(heading, by, aimHeading);

@@ -553,7 +553,9 @@ public final class Dynamics {
             } else {
                 stepper.undo(hasBegun);
                 isStale |= order.size()
-                        != bodies.values().stream().filter(each -> each.root == null).count();
+                        != bodies.values().stream()
+                                .filter(each -> each.root == null)
+                                .count();
             }
         }
     }
@@ -589,9 +591,11 @@ public final class Dynamics {
     private void refuseLoads() {
         for (BodyState each : bodies.values()) {
             String other = engine.registry.attachments.root(each.name);
-            if (each.isThere(engine) && (other != null || Attachments.carries(objects.value(objects.find(each.name))))) {
-                throw new IllegalArgumentException("world must be PLANAR where bodies are attached to each other; detach"
-                        + " them, or take the body from \"" + each.name + "\" (got: a SPATIAL one)");
+            if (each.isThere(engine)
+                    && (other != null || Attachments.carries(objects.value(objects.find(each.name))))) {
+                throw new IllegalArgumentException(
+                        "world must be PLANAR where bodies are attached to each other; detach"
+                                + " them, or take the body from \"" + each.name + "\" (got: a SPATIAL one)");
             }
         }
     }

@@ -115,6 +115,13 @@ public final class ObjectGroup extends PlacedObject<ObjectGroup> implements Geom
                 : List.of();
     }
 
+    /** A carrier without its loads, at its place; any other object itself. */
+    public static GeometryObject withoutLoads(GeometryObject object) {
+        return object instanceof ObjectGroup group && !group.loads().isEmpty()
+                ? group.members.get(0).at(group.pose())
+                : object;
+    }
+
     /** The members where this group stands, each in the frame in which the group is given. */
     public List<GeometryObject> placedMembers() {
         List<GeometryObject> placed = new ArrayList<>(members.size());

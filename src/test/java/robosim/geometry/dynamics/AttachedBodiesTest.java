@@ -68,7 +68,8 @@ class AttachedBodiesTest {
         dynamics.add("a", Body.of(1, 1));
         dynamics.add("b", Body.of(1, 1));
         world.attach("a", "b");
-        dynamics.setVelocity("a", new Twist(0, 0, 1, 90)); // about a's place: b's velocity is 1 - 2 * pi / 2 to the right
+        dynamics.setVelocity(
+                "a", new Twist(0, 0, 1, 90)); // about a's place: b's velocity is 1 - 2 * pi / 2 to the right
         double z = 1 - Math.PI;
         assertThat(dynamics.velocity("b").z()).isEqualTo(z, NEAR);
         world.detach("b");
@@ -91,9 +92,11 @@ class AttachedBodiesTest {
         world.attach("a", "b");
         dynamics.drive("a", new ForceDrive(4, 0, 0));
         dynamics.step(1e-3);
-        // Pulled 1 m beside the centre of mass: torque -4 (z of the force's place less that of the centre is -1), I = 4.
+        // Pulled 1 m beside the centre of mass: torque -4 (z of the force's place less that of the centre is -1), I =
+        // 4.
         assertThat(Math.toRadians(dynamics.velocity("a").ry())).isEqualTo(-1e-3, within(1e-8));
-        assertThat(0.5 * (dynamics.velocity("a").x() + dynamics.velocity("b").x())).isEqualTo(2e-3, within(1e-8));
+        assertThat(0.5 * (dynamics.velocity("a").x() + dynamics.velocity("b").x()))
+                .isEqualTo(2e-3, within(1e-8));
     }
 
     @Test
@@ -114,7 +117,9 @@ class AttachedBodiesTest {
         // A whole turn: back where it began, but for the centimetres until it was up to speed.
         assertThat(world.getObject("truck").center().x()).isEqualTo(0, within(0.05));
         assertThat(world.getObject("truck").center().z()).isEqualTo(0, within(0.05));
-        Pose crate = world.getObject("crate").pose().relativeTo(world.getObject("truck").pose());
+        Pose crate = world.getObject("crate")
+                .pose()
+                .relativeTo(world.getObject("truck").pose());
         assertThat(crate.center().x()).isEqualTo(1.2, NEAR);
         assertThat(crate.center().z()).isEqualTo(0.3, NEAR);
     }
@@ -188,7 +193,8 @@ class AttachedBodiesTest {
             disc(world, names[k], 3 * (k % 4), 3 * (k / 4));
             dynamics.add(names[k], Body.of(1 + k, 0.2 + 0.1 * k));
             dynamics.setVelocity(
-                    names[k], new Twist(random.nextDouble(-0.2, 0.2), 0, random.nextDouble(-0.2, 0.2), random.nextDouble(-5, 5)));
+                    names[k],
+                    new Twist(random.nextDouble(-0.2, 0.2), 0, random.nextDouble(-0.2, 0.2), random.nextDouble(-5, 5)));
         }
         double[] momentum = momentum(world, dynamics, names);
         double energy = momentum[3];

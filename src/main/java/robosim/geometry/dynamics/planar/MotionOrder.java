@@ -455,8 +455,7 @@ final class MotionOrder {
         double degrees = Degrees.toDegrees(by);
         double cos = bodies.isOffset(b) ? cos(b, 0) : 1;
         double sin = bodies.isOffset(b) ? sin(b, 0) : 0;
-        boolean isThere =
-                world.moveToContact(id, dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees, gap);
+        boolean isThere = world.moveToContact(id, dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees, gap);
         int obstacle = isThere ? -1 : world.obstacle();
         blocker[b] = obstacle;
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];

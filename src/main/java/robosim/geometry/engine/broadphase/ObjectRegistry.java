@@ -359,12 +359,13 @@ public final class ObjectRegistry {
         String root = attachments.root(Checks.present("carrier", carrier));
         int rootId = mover(root == null ? carrier : root);
         if (rootId == loadId) {
-            throw new IllegalArgumentException(
-                    "carrier must be neither the load nor attached to it (got: \"" + carrier + "\" and \"" + load + "\")");
+            throw new IllegalArgumentException("carrier must be neither the load nor attached to it (got: \"" + carrier
+                    + "\" and \"" + load + "\")");
         }
         GeometryObject whole = objects.present(rootId);
         GeometryObject object = objects.present(loadId);
-        Pose holder = Checks.present("carrier", Attachments.find(whole, carrier)).pose();
+        Pose holder =
+                Checks.present("carrier", Attachments.find(whole, carrier)).pose();
         Pose held = at == null ? object.pose().relativeTo(holder) : at;
         GeometryObject made = Attachments.with(whole, carrier, object, held);
         if (at != null && !isFree(object.at(held.within(holder)), rootId, loadId)) {
@@ -400,7 +401,8 @@ public final class ObjectRegistry {
         GeometryObject object = Checks.present("load", Attachments.find(whole, load));
         for (double share = 0x1p-52; !fits(object); share *= 2) { // rounding has put it beyond the border
             Point c = object.center();
-            object = object.at(object.pose().movedTo(new Point(c.x() - c.x() * share, c.y() - c.y() * share, c.z() - c.z() * share)));
+            object = object.at(object.pose()
+                    .movedTo(new Point(c.x() - c.x() * share, c.y() - c.y() * share, c.z() - c.z() * share)));
         }
         Map<String, Long> births = births(object, objects.arrivals());
         replace(rootId, Attachments.without(whole, String.valueOf(Attachments.carrier(whole, load)), load));
