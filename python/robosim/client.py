@@ -45,7 +45,7 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Op
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
     "pinhole", "directions", "sense", "picture", "poses", "edges", "measure", "pose", "place", "add", "remove", "go", "go_to_contact",
-    "go_and_slide", "separate", "mixing", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
+    "go_and_slide", "separate", "attach", "detach", "mixing", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
     "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
@@ -679,6 +679,21 @@ def separate(name: str, max: float) -> Json:
     return {"kind": "separate", "objectName": name, "max": max}
 
 
+def attach(name: str, carrier: str, at: Optional[Vector] = None, heading: float = 0.0,
+           rotation: Optional[Vector] = None) -> Json:
+    """Attaches an object to another one, which carries it from then on: where it is now, or at a place in the frame of the
+    carrier if nothing else is there."""
+    request: Json = {"kind": "attach", "objectName": name, "carrier": carrier}
+    if at is not None:
+        request["mount"] = _mount(at, heading, rotation)
+    return request
+
+
+def detach(name: str) -> Json:
+    """Detaches an object from what carries it; it stays where it is."""
+    return {"kind": "detach", "objectName": name}
+
+
 def world() -> Json:
     """What became of the last init."""
     return {"kind": "world"}
@@ -1061,6 +1076,16 @@ class Module:
         """Frees an object that touches or overlaps others by the smallest displacement found, of at most `max` world units.
         That displacement, zero if it touched nothing; None if none was found, and the object stays where it is."""
         return self._one(separate(name, max))
+
+    def attach(self, name: str, carrier: str, at: Optional[Vector] = None, heading: float = 0.0,
+               rotation: Optional[Vector] = None) -> Change:
+        """Attaches an object to another one, which carries it from then on: where it is now, or at a place in the frame of the
+        carrier, with a heading in radians or nine numbers of a rotation; not done if something is in the way there."""
+        return self._one(attach(name, carrier, at, heading, rotation))
+
+    def detach(self, name: str) -> Change:
+        """Detaches an object from what carries it; it stays where it is and goes on as fast as its place went."""
+        return self._one(detach(name))
 
     def sense(self, name: str, pattern: Json, **options: Any) -> Scan:
         """All beams of a sensor on an object, with the options of the function `sense`; without a name, "", of one that

@@ -218,7 +218,7 @@ public final class Geometry implements WorldQueries {
         return registry.collides(registry.at(accuracy), object, -1);
     }
 
-    /** Removes an object; returns false if there is none of that name. */
+    /** Removes an object; returns false if there is none of that name. What it carries is detached first, and stays. */
     public boolean removeObject(String name) {
         return registry.remove(name);
     }
@@ -238,12 +238,65 @@ public final class Geometry implements WorldQueries {
 
     /** The object with a given name, at its present place. */
     public GeometryObject getObject(String name) {
-        return objects.present(registry.known(name));
+        return registry.part(name);
     }
 
-    /** Whether there is an object of that name. */
+    /** Whether there is an object of that name, attached ones included. */
     public boolean hasObject(String name) {
-        return objects.find(Checks.present("name", name)) >= 0;
+        return objects.find(Checks.present("name", name)) >= 0 || registry.attachments.root(name) != null;
+    }
+
+    /**
+     * Attaches a moveable object to another one where it is now, as a gripper, forks or a tow hook do: from then on the two move
+     * as one. The load is a part of the carrier in every query and every move: the two never collide with each other, sensors
+     * of the carrier ignore both, and whatever hits the load reports the carrier, whose value is then an
+     * {@link robosim.geometry.model.ObjectGroup} with {@code loads()}. {@link #getObject} still finds the load by its name;
+     * methods that move or query one object refuse it. A load may carry others.
+     *
+     * <pre>{@code
+     * Geometry geometry = new Geometry(20, 5, 20);
+     * geometry.addObject(new BoxObject(new Point(0, 0, 0), 2, 1, 1).moveable("forklift"));  // true
+     * geometry.addObject(new BoxObject(new Point(1.6, 0, 0), 1, 1, 1).moveable("crate"));   // true
+     * geometry.attach("forklift", "crate");
+     * geometry.simpleTurn("forklift", 90);                                                  // true
+     * geometry.getObject("crate").center();                       // Point[x=0.0, y=0.0, z=-1.6]
+     * geometry.detach("crate");
+     * }</pre>
+     *
+     * @param carrier a moveable object, or one that is attached itself
+     * @param load    a moveable object that is not attached
+     * @throws IllegalArgumentException if either is static, a grid or unknown, or the carrier is the load or attached to it
+     */
+    public void attach(String carrier, String load) {
+        registry.begin("attach");
+        registry.attach(carrier, load, null);
+    }
+
+    /**
+     * The same at a given pose; no path to it is checked.
+     *
+     * @param at the pose of the load in the frame of the carrier
+     * @return false, and nothing changes, if the load would touch anything but the carrier there or leave the world
+     */
+    public boolean attach(String carrier, String load, Pose at) {
+        registry.begin("attach");
+        return registry.attach(carrier, load, Checks.present("at", at));
+    }
+
+    /**
+     * Detaches an object from its carrier, with what it carries itself. It stays where it is, counts as added now, and blocks
+     * the carrier from then on, but for motion away from it (see above).
+     *
+     * @throws IllegalArgumentException if the object is unknown or not attached
+     */
+    public void detach(String load) {
+        registry.begin("detach");
+        registry.detach(load);
+    }
+
+    /** The name of the object to which another one is attached; null if it is not attached. */
+    public @Nullable String carrierOf(String name) {
+        return registry.carrier(name);
     }
 
     /** Which objects are where: in the way of an addition or a placement, in a box, nearest. */

@@ -212,6 +212,11 @@ public record Body(
         return new Body(mass, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
     }
 
+    /** This body with the mass and the moment of inertia about the vertical of all that is attached to it. */
+    Body with(double total, double vertical) {
+        return new Body(total, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
+    }
+
     /** By how much the floor slows it, m/s<sup>2</sup>. */
     double slowing() {
         return floorFriction * GRAVITY;

@@ -1,7 +1,8 @@
 package robosim.geometry.dynamics;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.Attachments;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Twist;
@@ -19,8 +20,20 @@ final class BodyState implements Cloneable {
     /** The same with the moment of inertia about the vertical in its present attitude, in a PLANAR world. */
     Body acting;
 
-    /** When its object came into the world, which no other object ever shares: a name may pass to another one. */
-    private final long arrival;
+    /** When its object came into the world at first, which no other object of its name shares. */
+    private final long birth;
+
+    /** The body that it is a part of while it is attached; null for one that moves by itself. */
+    @Nullable
+    String root;
+
+    /** Whether others are attached to it: its acting mass and inertia are those of all, its velocity that of their common centre. */
+    boolean isLoaded;
+
+    /** Where its object's centre is as seen from the centre of mass of all that is attached, in axes that turn with its heading. */
+    double armX;
+
+    double armZ;
 
     @Nullable
     Drive drive;
@@ -61,17 +74,42 @@ final class BodyState implements Cloneable {
     /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
     double[] spatial = new double[6];
 
-    BodyState(String name, Body body, long arrival) {
+    BodyState(String name, Body body, World world) {
         this.name = name;
         this.body = body;
         acting = body;
-        this.arrival = arrival;
+        birth = birth(world);
     }
 
-    /** Whether its object is still in the world. */
-    boolean isThere(ObjectTable objects) {
-        int id = objects.find(name);
-        return id >= 0 && objects.arrival(id) == arrival;
+    /** Whether its object is still in the world, by itself or attached to another one. */
+    boolean isThere(World world) {
+        return (world.objects.find(name) >= 0 || world.registry.attachments.root(name) != null)
+                && birth(world) == birth;
+    }
+
+    private long birth(World world) {
+        int id = world.objects.find(name);
+        long arrival = id < 0 ? -1 : world.objects.arrival(id);
+        Attachments attachments = world.registry.attachments;
+        return attachments.isEmpty() ? arrival : attachments.birth(name, arrival);
+    }
+
+    /** It moves by itself, with the velocity of the place where it is in what it was attached to. */
+    void part(double heading, double rest) {
+        Twist own = velocity(heading, rest);
+        armX = 0;
+        armZ = 0;
+        root = null;
+        isLoaded = false;
+        acting = body;
+        setVelocity(heading, rest, own);
+    }
+
+    /** It goes as another one goes, to which it is attached. */
+    void follow(BodyState other) {
+        vx = other.vx;
+        vz = other.vz;
+        w = other.w;
     }
 
     /** The same state of the same body, which goes on by itself. */
@@ -91,22 +129,37 @@ final class BodyState implements Cloneable {
         return velocity(places[at], places[at + 1]);
     }
 
-    private Twist velocity(double heading, double rest) {
+    Twist velocity(double heading, double rest) {
+        return velocity(heading, rest, armX, armZ);
+    }
+
+    /** The velocity of a point at rest in its own frame, which is given as seen from the centre of mass. */
+    private Twist velocity(double heading, double rest, double atX, double atZ) {
         double sin = Degrees.sin(heading, rest);
         double cos = Degrees.cos(heading, rest);
-        return new Twist(vx * cos - vz * sin, 0, vx * sin + vz * cos, Degrees.toDegrees(w));
+        double x = vx * cos - vz * sin;
+        double z = vx * sin + vz * cos;
+        return atX == 0 && atZ == 0
+                ? new Twist(x, 0, z, Degrees.toDegrees(w))
+                : new Twist(x + w * atZ, 0, z - w * atX, Degrees.toDegrees(w));
     }
 
     void setVelocity(double[] places, int at, Twist velocity) {
         setVelocity(places[at], places[at + 1], velocity);
     }
 
-    private void setVelocity(double heading, double rest, Twist velocity) {
+    void setVelocity(double heading, double rest, Twist velocity) {
+        setVelocity(heading, rest, velocity, armX, armZ);
+    }
+
+    private void setVelocity(double heading, double rest, Twist velocity, double atX, double atZ) {
         double sin = Degrees.sin(heading, rest);
         double cos = Degrees.cos(heading, rest);
-        vx = velocity.x() * cos + velocity.z() * sin;
-        vz = velocity.z() * cos - velocity.x() * sin;
         w = Degrees.toRadians(velocity.ry());
+        double x = atZ == 0 ? velocity.x() : velocity.x() - w * atZ;
+        double z = atX == 0 ? velocity.z() : velocity.z() + w * atX;
+        vx = x * cos + z * sin;
+        vz = z * cos - x * sin;
     }
 
     /**
@@ -137,8 +190,8 @@ final class BodyState implements Cloneable {
                     heading,
                     rest,
                     0.5 * turn * seconds,
-                    mean(gained.x(), aim.x(), share) * chord,
-                    mean(gained.z(), aim.z(), share) * chord);
+                    (mean(gained.x(), aim.x(), share) - (armZ == 0 ? 0 : turns * armZ)) * chord,
+                    (mean(gained.z(), aim.z(), share) + (armX == 0 ? 0 : turns * armX)) * chord);
         } else {
             beginFree(seconds);
         }
@@ -170,18 +223,27 @@ final class BodyState implements Cloneable {
     }
 
     /** A force has the direction that the body has halfway; nothing but it turns the velocity, as wheels do. */
-    private void beginForced(ForceDrive force, double heading, double rest, double seconds) {
-        double turn = force.next(velocity(heading, rest), acting, 0.5 * seconds).ry();
+    private void beginForced(ForceDrive given, double heading, double rest, double seconds) {
+        ForceDrive force = aboutMass(given);
+        double turn =
+                force.next(velocity(heading, rest, 0, 0), acting, 0.5 * seconds).ry();
         double by = 0.5 * turn * seconds;
         aimHeading = heading + by;
         aimRest = rest + DoubleDouble.sumTail(heading, by, aimHeading);
-        Twist now = velocity(aimHeading, aimRest);
+        Twist now = velocity(aimHeading, aimRest, 0, 0);
         aim = force.next(now, acting, seconds);
         left = 0;
         toGo = isHindered ? 0 : seconds;
         Twist halfway = isHindered ? aim : force.mean(now, acting, seconds);
         turns = Degrees.toRadians(halfway.ry());
         go(aimHeading, aimRest, 0, halfway.x(), halfway.z());
+    }
+
+    /** A force at the object's centre as one at the centre of mass, and the torque that it has about that. */
+    private ForceDrive aboutMass(ForceDrive force) {
+        return armX == 0 && armZ == 0
+                ? force
+                : new ForceDrive(force.x(), force.z(), force.torque() + (armZ * force.x() - armX * force.z()));
     }
 
     /** The chord of an arc as a share of the arc, which turns by twice an angle in radians. */
@@ -219,8 +281,11 @@ final class BodyState implements Cloneable {
             vz = keptZ;
             w = keptTurn;
         } else {
-            boolean isForced = drive instanceof ForceDrive;
-            setVelocity(isForced ? aimHeading : places[at], isForced ? aimRest : places[at + 1], aim);
+            if (drive instanceof ForceDrive) {
+                setVelocity(aimHeading, aimRest, aim, 0, 0);
+            } else {
+                setVelocity(places, at, aim);
+            }
         }
         return false;
     }
@@ -238,7 +303,8 @@ final class BodyState implements Cloneable {
             return false;
         }
         if (driven instanceof ForceDrive force) {
-            setVelocity(aimHeading, aimRest, force.rest(velocity(aimHeading, aimRest), body, toGo));
+            Twist now = velocity(aimHeading, aimRest, 0, 0);
+            setVelocity(aimHeading, aimRest, aboutMass(force).rest(now, isLoaded ? acting : body, toGo), 0, 0);
         } else {
             Twist now = velocity(places, at);
             Twist next = driven.next(now, body, toGo);

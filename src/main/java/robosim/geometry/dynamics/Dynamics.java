@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -12,11 +13,13 @@ import robosim.geometry.Geometry;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.planar.PlanarStepper;
 import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.Attachments;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.Twist;
 
 /**
@@ -84,6 +87,12 @@ public final class Dynamics {
     private final PlanarStepper.Pushes pushes = this::push;
     private boolean isStale = true;
 
+    /** The number of changes of the objects of the world at which bodies were last joined to those they are attached to. */
+    private long assembledAt;
+
+    /** Whether any body has been a part of another one. */
+    private boolean hasParts;
+
     /** Whether a body has three moments of inertia, of which its attitude makes one. */
     private boolean hasMoments;
 
@@ -146,7 +155,8 @@ public final class Dynamics {
             SpatialBodies.check(object);
         }
         BodyState before = find(name);
-        BodyState state = new BodyState(name, body, objects.arrival(objects.find(name)));
+        disband();
+        BodyState state = new BodyState(name, body, engine);
         bodies.put(name, state);
         if (before != null) {
             state.vx = before.vx;
@@ -161,6 +171,7 @@ public final class Dynamics {
     /** Takes the body from an object, which from then on stands still; answers whether it had one. */
     public boolean remove(String name) {
         boolean hadOne = find(name) != null;
+        disband();
         bodies.remove(name);
         isStale = true;
         return hadOne;
@@ -189,6 +200,10 @@ public final class Dynamics {
     public void drive(String name, Drive drive) {
         BodyState state = state(name);
         Checks.present("drive", drive);
+        if (state.root != null) {
+            throw new IllegalArgumentException("name must be that of a body that is not attached; drive \"" + state.root
+                    + "\", or detach it (got: \"" + name + "\")");
+        }
         if (drive instanceof VelocityDrive of) {
             QuantityChecks.level("drive", of.velocity(), "where it acts along the ground");
         }
@@ -207,7 +222,10 @@ public final class Dynamics {
             SpatialBodies.setTwist(state, world.getObject(name).pose(), velocity);
         } else {
             QuantityChecks.level("velocity", velocity, "in a PLANAR world");
-            state.setVelocity(objects.places(), heading(name), velocity);
+            BodyState whole = whole(state);
+            Pose pose = engine.registry.part(name).pose();
+            state.setVelocity(pose.heading(), pose.lostHeading(), velocity);
+            whole.follow(state);
         }
     }
 
@@ -224,14 +242,128 @@ public final class Dynamics {
     /** The velocity of a body, along its own axes, and about its own Y alone. */
     public Twist velocity(String name) {
         BodyState state = state(name);
-        return falling != null
-                ? SpatialBodies.twist(state, world.getObject(name).pose())
-                : state.velocity(objects.places(), heading(name));
+        Pose pose = engine.registry.part(name).pose();
+        if (falling != null) {
+            return SpatialBodies.twist(state, pose);
+        }
+        state.follow(whole(state));
+        return state.velocity(pose.heading(), pose.lostHeading());
     }
 
-    /** Where the heading of a body is among the places. */
-    private int heading(String name) {
-        return objects.place(objects.find(name)) + ObjectTable.HEADING;
+    /** What moves a body: itself, or what it is attached to. */
+    private BodyState whole(BodyState state) {
+        String root = state.root;
+        BodyState whole = root == null ? null : bodies.get(root);
+        return whole == null ? state : whole;
+    }
+
+    // ---- what is attached ----
+
+    /** Takes note of what has been attached and detached since it was called last. */
+    private void assemble() {
+        long now = objects.changes();
+        if (now == assembledAt) {
+            return;
+        }
+        Attachments attachments = engine.registry.attachments;
+        boolean isOther = assembledAt < 0;
+        assembledAt = now;
+        if (attachments.isEmpty() && !hasParts) {
+            return; // so that a world without attachments pays nothing
+        }
+        for (BodyState each : bodies.values()) {
+            isOther |= each.isThere(engine) && !Objects.equals(each.root, attachments.root(each.name));
+        }
+        if (!isOther) {
+            return;
+        }
+        part();
+        hasParts = true;
+        isStale = true;
+        for (BodyState each : List.copyOf(bodies.values())) {
+            each.root = each.isThere(engine) ? attachments.root(each.name) : null;
+        }
+        for (BodyState each : List.copyOf(bodies.values())) {
+            BodyState carrier = each.root == null ? null : bodies.get(each.root);
+            if (carrier == null || !carrier.isThere(engine)) {
+                each.vx = each.root == null ? each.vx : 0; // what has no body stands still
+                each.vz = each.root == null ? each.vz : 0;
+                each.w = each.root == null ? each.w : 0;
+            } else if (!carrier.isLoaded) {
+                join(carrier);
+            }
+        }
+    }
+
+    /** Forgets what is attached, until it is asked for again. */
+    private void disband() {
+        if (hasParts || !engine.registry.attachments.isEmpty()) {
+            part();
+            assembledAt = -1;
+        }
+    }
+
+    /** Lets each part go on by itself, as fast as it went. */
+    private void part() {
+        for (BodyState each : bodies.values()) {
+            if (each.root != null) {
+                each.follow(whole(each));
+            }
+        }
+        for (BodyState each : bodies.values()) {
+            boolean isPlaced = each.isThere(engine);
+            if ((each.root != null || each.isLoaded) && isPlaced) {
+                Pose pose = engine.registry.part(each.name).pose();
+                each.part(pose.heading(), pose.lostHeading());
+            }
+        }
+    }
+
+    /** Makes one body of all that is attached to one: their mass, inertia, momentum and angular momentum are its own. */
+    private void join(BodyState carrier) {
+        List<BodyState> parts = new ArrayList<>();
+        List<Pose> poses = new ArrayList<>();
+        Attachments.forEachPart(objects.present(objects.find(carrier.name)), (name, pose) -> {
+            BodyState part = bodies.get(name);
+            if (part != null && part.isThere(engine)) {
+                parts.add(part);
+                poses.add(pose);
+            }
+        });
+        double mass = 0;
+        double[] centre = new double[4]; // x and z, and the momentum along them
+        for (int k = 0; k < parts.size(); k++) {
+            BodyState each = parts.get(k);
+            double m = each.body.mass();
+            mass += m;
+            centre[0] += m * poses.get(k).center().x();
+            centre[1] += m * poses.get(k).center().z();
+            centre[2] += m * each.vx;
+            centre[3] += m * each.vz;
+        }
+        for (int k = 0; k < 4; k++) {
+            centre[k] /= mass;
+        }
+        double inertia = 0;
+        double spin = 0;
+        for (int k = 0; k < parts.size(); k++) {
+            BodyState each = parts.get(k);
+            double m = each.body.mass();
+            double own = each.body.aboutVertical(poses.get(k).rotation(), 0);
+            double x = poses.get(k).center().x() - centre[0];
+            double z = poses.get(k).center().z() - centre[1];
+            inertia += own + m * (x * x + z * z);
+            spin += own * each.w + m * (z * (each.vx - centre[2]) - x * (each.vz - centre[3]));
+            double sin = Degrees.sin(poses.get(k).heading(), poses.get(k).lostHeading());
+            double cos = Degrees.cos(poses.get(k).heading(), poses.get(k).lostHeading());
+            each.armX = x * cos - z * sin;
+            each.armZ = x * sin + z * cos;
+        }
+        carrier.isLoaded = true;
+        carrier.vx = centre[2];
+        carrier.vz = centre[3];
+        carrier.w = spin / inertia;
+        carrier.acting = carrier.body.with(mass, inertia);
     }
 
     /**
@@ -253,7 +385,7 @@ public final class Dynamics {
     /** The names of all bodies, in the order in which they were added. */
     public List<String> names() {
         return bodies.values().stream()
-                .filter(each -> each.isThere(objects))
+                .filter(each -> each.isThere(engine))
                 .map(each -> each.name)
                 .toList();
     }
@@ -278,8 +410,9 @@ public final class Dynamics {
 
     /** The body of the object that has a name now; null if it has none, though an earlier one of that name had. */
     private @Nullable BodyState find(String name) {
+        assemble();
         BodyState state = bodies.get(Checks.present("name", name));
-        if (state != null && !state.isThere(objects)) {
+        if (state != null && !state.isThere(engine)) {
             bodies.remove(name);
             isStale = true;
             return null;
@@ -393,6 +526,7 @@ public final class Dynamics {
         private final List<BodyState> states = new ArrayList<>(bodies.size());
         private final List<BodyState> inOrder = List.copyOf(order);
         private final boolean wasStale = isStale;
+        private final long wasAssembledAt = assembledAt;
 
         Kept() {
             hasBegun = false;
@@ -410,14 +544,18 @@ public final class Dynamics {
             bodies.clear();
             states.forEach(each -> bodies.put(each.name, each));
             table.undo();
-            isStale = wasStale;
+            isStale = wasStale || assembledAt != wasAssembledAt;
+            assembledAt = wasAssembledAt;
             order.clear();
             inOrder.forEach(each -> order.add(bodies.getOrDefault(each.name, each)));
             if (falling != null) {
                 falling.undo(bodies);
             } else {
                 stepper.undo(hasBegun);
-                isStale |= order.size() != bodies.size();
+                isStale |= order.size()
+                        != bodies.values().stream()
+                                .filter(each -> each.root == null)
+                                .count();
             }
         }
     }
@@ -425,6 +563,10 @@ public final class Dynamics {
     private void go(double seconds) {
         QuantityChecks.positive("seconds", seconds);
         hasBegun = false;
+        assemble();
+        if (falling != null && !engine.registry.attachments.isEmpty()) {
+            refuseLoads();
+        }
         if (bodies.isEmpty() && !isStale) {
             pass();
             return;
@@ -445,11 +587,27 @@ public final class Dynamics {
         }
     }
 
+    /** Refuses bodies that carry others where they could fall. */
+    private void refuseLoads() {
+        for (BodyState each : bodies.values()) {
+            String other = engine.registry.attachments.root(each.name);
+            if (each.isThere(engine)
+                    && (other != null || Attachments.carries(objects.value(objects.find(each.name))))) {
+                throw new IllegalArgumentException(
+                        "world must be PLANAR where bodies are attached to each other; detach"
+                                + " them, or take the body from \"" + each.name + "\" (got: a SPATIAL one)");
+            }
+        }
+    }
+
     /** Works out how bodies with three moments resist a turn about the vertical, as they are tipped now. */
     private void takeInertia() {
         for (int b = 0; b < order.size() && hasMoments; b++) {
             int at = objects.place(stepper.id(b)) + ObjectTable.ROTATION;
             BodyState each = order.get(b);
+            if (each.isLoaded) {
+                continue;
+            }
             double inertia = each.body.aboutVertical(objects.places(), at);
             if (inertia != each.acting.inertia()) {
                 each.acting = each.body.about(inertia);
@@ -544,7 +702,7 @@ public final class Dynamics {
         if (!isStale && !stepper.isOld()) {
             return;
         }
-        bodies.values().removeIf(each -> !each.isThere(objects));
+        bodies.values().removeIf(each -> !each.isThere(engine));
         stepper.clear();
         order.clear();
         hasMoments = false;
@@ -552,12 +710,18 @@ public final class Dynamics {
         Set<Integer> moved = new HashSet<>();
         for (BodyState each : bodies.values()) {
             betweenParts.run();
+            if (each.root != null) {
+                continue;
+            }
             int id = engine.mover(each.name);
             moved.add(id);
             order.add(each);
             hasMoments |= each.body.hasMoments();
             table.put(id, each.body.surface());
-            stepper.add(id, each.body.mass(), each.body.inertia());
+            boolean isLoaded = each.isLoaded;
+            double mass = isLoaded ? each.acting.mass() : each.body.mass();
+            int b = stepper.add(id, mass, isLoaded ? each.acting.inertia() : each.body.inertia());
+            stepper.setOffset(b, 0.0 - each.armX, 0.0 - each.armZ);
         }
         objects.moverIds().filter(id -> !moved.contains(id)).forEach(id -> stepper.add(id, 0, 0));
         stepper.build(table);

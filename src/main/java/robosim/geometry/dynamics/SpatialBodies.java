@@ -94,7 +94,7 @@ final class SpatialBodies {
     private void build(Map<String, BodyState> bodies) {
         ObjectTable objects = world.objects;
         changes = objects.changes();
-        bodies.values().removeIf(each -> !each.isThere(objects));
+        bodies.values().removeIf(each -> !each.isThere(world));
         space.clear();
         order.clear();
         table.begin(objects);

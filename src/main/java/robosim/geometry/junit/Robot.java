@@ -102,6 +102,21 @@ public sealed class Robot permits Range, Sonar {
         return this;
     }
 
+    /**
+     * Attaches an object to it where it is now, as {@link robosim.geometry.Geometry#attach(String, String)} does: a gripper that
+     * closes, a hook that catches. While robots drive, mass and momentum of both are put together.
+     */
+    public Robot attach(String load) {
+        world.geometry().attach(name, load);
+        return this;
+    }
+
+    /** Detaches an object from what carries it; it goes on as fast as its place went. */
+    public Robot detach(String load) {
+        world.geometry().detach(load);
+        return this;
+    }
+
     /** Fails unless it and an object have met so far while bodies moved: one ran into the other. */
     public Robot hits(String other) {
         Checks.present("other", other);

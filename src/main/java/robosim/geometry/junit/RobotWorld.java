@@ -18,6 +18,7 @@ import robosim.geometry.collision.Verdict;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.net.session.BodyStepper;
@@ -97,9 +98,17 @@ public final class RobotWorld {
         for (GeometryObject object : geometry.objects()) {
             Pose pose = object.pose();
             if (object.isMoveable() && object.name() != null) {
-                geometry.removeObject(object.name());
+                remove(object);
                 geometry.addObjectUnchecked(object.at(Pose.of(pose.center(), pose.rotation(), pose.heading(), 0)));
             }
+        }
+    }
+
+    /** Removes an object with all that is attached to it. */
+    private void remove(GeometryObject object) {
+        geometry.removeObject(String.valueOf(object.name()));
+        if (object instanceof ObjectGroup group) {
+            group.loads().forEach(this::remove);
         }
     }
 

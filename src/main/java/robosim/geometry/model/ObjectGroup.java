@@ -11,7 +11,11 @@ import robosim.geometry.material.Material;
  * The union of its members, which are given in the group's own frame; groups may hold groups, but no grid.
  *
  * <p>The frame's origin is the group's centre: (0, 0, 0) until it is moved. Inside a group, the names of the members
- * and whether they are moveable have no meaning.
+ * and whether they are moveable have no meaning, except in a carrier.
+ *
+ * <p>A <i>carrier</i> is a moveable group whose members are all moveable, and whose first member has the group's own name: an object
+ * with loads attached to it. The world moves them as one, and {@code Geometry.detach} takes a load off by its name.
+ * {@code Geometry.attach} makes such groups; they may also be written down as part of a world.
  */
 public final class ObjectGroup extends PlacedObject<ObjectGroup> implements GeometryObject {
     /**
@@ -99,6 +103,23 @@ public final class ObjectGroup extends PlacedObject<ObjectGroup> implements Geom
     /** The members, in the group's own frame. */
     public List<GeometryObject> members() {
         return members;
+    }
+
+    /** What is attached to this object, in its own frame: empty unless it is a carrier. */
+    public List<GeometryObject> loads() {
+        GeometryObject first = members.get(0);
+        return tag.moveable()
+                        && Objects.equals(tag.name(), first.name())
+                        && members.stream().allMatch(GeometryObject::isMoveable)
+                ? members.subList(1, members.size())
+                : List.of();
+    }
+
+    /** A carrier without its loads, at its place; any other object itself. */
+    public static GeometryObject withoutLoads(GeometryObject object) {
+        return object instanceof ObjectGroup group && !group.loads().isEmpty()
+                ? group.members.get(0).at(group.pose())
+                : object;
     }
 
     /** The members where this group stands, each in the frame in which the group is given. */

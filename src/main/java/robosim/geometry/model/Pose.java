@@ -237,6 +237,33 @@ public final class Pose {
         return new Pose(new Point(f.x() + place[0], f.y() + place[1], f.z() + place[2]), turned);
     }
 
+    /** This pose, given in the same frame as another one, in the own frame of that: {@code within(frame)} is the inverse. */
+    public Pose relativeTo(Pose frame) {
+        double[] r = Checks.present("frame", frame).attitude;
+        double[] inverse = new double[9];
+        for (int k = 0; k < 9; k++) {
+            inverse[3 * (k % 3) + k / 3] = r[k];
+        }
+        double[] turned = Attitude.identity();
+        double[] product = new double[9];
+        Rotations.multiply(inverse, 0, attitude, 0, product, 0);
+        Attitude.orient(turned, 0, product);
+        double[] way = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            way[axis] = (coordinate(axis) - frame.coordinate(axis)) + (lost[axis] - frame.lost[axis]);
+        }
+        double[] place = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            int row = 3 * axis;
+            place[axis] = inverse[row] * way[0] + inverse[row + 1] * way[1] + inverse[row + 2] * way[2];
+        }
+        return new Pose(new Point(place[0], place[1], place[2]), turned);
+    }
+
+    private double coordinate(int axis) {
+        return axis == 0 ? center.x() : axis == 1 ? center.y() : center.z();
+    }
+
     /** This pose turned in place by {@code ry} degrees about its own Y, then by {@code rx} about its own X. */
     public Pose turned(double rx, double ry) {
         double[] turned = attitude.clone();

@@ -113,6 +113,8 @@ final class AllowedClasses {
             WorldRequest.Place.class,
             WorldRequest.Add.class,
             WorldRequest.Remove.class,
+            WorldRequest.Attach.class,
+            WorldRequest.Detach.class,
             WorldRequest.Go.class,
             WorldRequest.GoToContact.class,
             WorldRequest.GoAndSlide.class,

@@ -270,8 +270,7 @@ public final class Watching implements Function<String, SessionListener>, AutoCl
             return request instanceof InitBundle
                     || (request instanceof BatchRequestBundle batch
                             && batch.requests().stream()
-                                    .anyMatch(each -> each instanceof WorldRequest.Remove
-                                            || (each instanceof WorldRequest about && about.addition() != null)));
+                                    .anyMatch(each -> each instanceof WorldRequest about && about.isAboutObjects()));
         }
 
         /** Records the places of the objects that were moved. */

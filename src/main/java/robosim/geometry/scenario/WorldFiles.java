@@ -8,7 +8,6 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
 
 /** Reads the worlds that a scenario's file names, relative to its folder and only from within a root. */
@@ -44,7 +43,7 @@ final class WorldFiles {
         }
         WorldSettings settings =
                 new WorldSettings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
-        return new InitBundle(world.objects().stream().map(WorldObject::object).toList(), settings);
+        return new InitBundle(world.joined(), settings);
     }
 
     private static Path inside(Path folder, Path root, String name) throws IOException {

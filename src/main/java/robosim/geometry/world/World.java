@@ -1,8 +1,10 @@
 package robosim.geometry.world;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -10,6 +12,7 @@ import robosim.geometry.Geometry;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.world.shared.Floor;
 
 /**
@@ -48,6 +51,31 @@ public record World(
                 throw new IllegalArgumentException("names must be unique in a world (got twice: " + name + ")");
             }
         }
+        checkAttached(objects);
+    }
+
+    private static void checkAttached(List<WorldObject> objects) {
+        Map<String, WorldObject> movers = new HashMap<>();
+        for (WorldObject each : objects) {
+            String name = each.object().name();
+            if (name != null && each.object().isMoveable()) {
+                movers.put(name, each);
+            }
+        }
+        for (WorldObject each : objects) {
+            Set<WorldObject> below = new HashSet<>(Set.of(each));
+            for (String carrier = each.attached(); carrier != null; ) {
+                WorldObject found = movers.get(carrier);
+                if (found == null || !below.add(found)) {
+                    throw new IllegalArgumentException(
+                            "attached must be the name of another moveable object of the world"
+                                    + ", which is not attached to this one (got: \""
+                                    + each.object().name() + "\" to \"" + carrier
+                                    + "\")");
+                }
+                carrier = found.attached();
+            }
+        }
     }
 
     /** A SPATIAL world with accuracy EXACT, without a unit. */
@@ -84,6 +112,21 @@ public record World(
     }
 
     /**
+     * The objects as a geometry has them, in their order: what is attached is a part of its carrier, a group. Objects beyond the
+     * world's bounds come last.
+     */
+    public List<GeometryObject> joined() {
+        if (objects.stream().allMatch(each -> each.attached() == null)) {
+            return objects.stream().map(WorldObject::object).toList();
+        }
+        List<GeometryObject> outside = new ArrayList<>();
+        List<GeometryObject> joined =
+                new ArrayList<>(toGeometry(each -> outside.add(each.object())).objects());
+        joined.addAll(outside);
+        return List.copyOf(joined);
+    }
+
+    /**
      * A geometry of this world with all its objects, added unchecked in their order: they may overlap, as the walls of
      * a plan do.
      *
@@ -111,6 +154,13 @@ public record World(
         for (WorldObject object : objects) {
             if (!geometry.addObjectUnchecked(object.object())) {
                 refused.accept(object);
+            }
+        }
+        for (WorldObject each : objects) {
+            String carrier = each.attached();
+            String name = each.object().name();
+            if (carrier != null && name != null && geometry.hasObject(name) && geometry.hasObject(carrier)) {
+                geometry.attach(carrier, name);
             }
         }
         return geometry;

@@ -230,7 +230,12 @@ final class WorldHandler extends XmlHandler {
             if (parent.parent == null) {
                 ObjectBody body = ObjectBuilder.body(element.motion, object);
                 GeometryObject seen = element.visuals == null ? object : object.withVisuals(element.visuals);
-                objects.add(new WorldObject(seen, element.attribute("color"), element.sonars, body));
+                objects.add(new WorldObject(
+                        seen, element.attribute("color"), element.sonars, body, element.attribute("attached")));
+            } else if (element.attribute("attached") != null) {
+                throw new IllegalArgumentException(
+                        "attached must not be given inside a group; give it to the group (got: "
+                                + element.attribute("attached") + ")");
             } else {
                 parent.members.add(object);
             }

@@ -18,12 +18,14 @@ import robosim.geometry.world.body.ObjectBody;
  * @param sonars range sensors; only an object with a name can have any, and no grid
  * @param body   how it moves, of a static object how its surface is; null if nothing is known. Only an object with a name can
  *     have one, and no grid
+ * @param attached the name of the moveable object to which this one is attached, where the file has both; null for none
  */
 public record WorldObject(
         GeometryObject object,
         @Nullable String color,
         List<SonarRing> sonars,
-        @Nullable ObjectBody body) {
+        @Nullable ObjectBody body,
+        @Nullable String attached) {
     /**
      * Refuses a colour of another form, sensors and bodies of a grid or of an object without a name, and a body of a static
      * object that is more than a surface.
@@ -56,6 +58,16 @@ public record WorldObject(
             throw new IllegalArgumentException("the body of a static object must be its surface alone: restitution,"
                     + " friction and slidingFriction (got: " + body + ")");
         }
+        if (attached != null && (!object.isMoveable() || object.kind() == GeometryObject.Kind.GRID)) {
+            throw new IllegalArgumentException(
+                    "an object that is attached must be moveable, and no grid (got: " + object + ")");
+        }
+    }
+
+    /** An object that is not attached to another one. */
+    public WorldObject(
+            GeometryObject object, @Nullable String color, List<SonarRing> sonars, @Nullable ObjectBody body) {
+        this(object, color, sonars, body, null);
     }
 
     /** An object without a body. */

@@ -150,7 +150,7 @@ public final class WorldWriter {
                     + " cells together; use larger cells (got: " + cells + ")");
         }
         for (WorldObject object : world.objects()) {
-            object(object.object(), object.color(), object.sonars(), object.body(), 1);
+            object(object.object(), object.color(), object.sonars(), object.body(), object.attached(), 1);
         }
         out.append("</world>\n");
     }
@@ -160,6 +160,7 @@ public final class WorldWriter {
             @Nullable String color,
             List<SonarRing> sonars,
             @Nullable ObjectBody body,
+            @Nullable String attached,
             int depth) {
         if (depth > Limits.MAX_GROUPS + 1) {
             throw new IllegalArgumentException(
@@ -168,6 +169,9 @@ public final class WorldWriter {
         String tag = object.kind().word();
         indent(depth).append('<').append(tag);
         placed(object);
+        if (attached != null) {
+            attribute("attached", attached);
+        }
         size(object);
         if (color != null) {
             attribute("color", color);
@@ -181,7 +185,7 @@ public final class WorldWriter {
         if (visuals != null) {
             indent(depth + 1).append("<visual>\n");
             for (GeometryObject visual : visuals) {
-                object(visual, WorldMaterials.colorOf(visual), List.of(), null, depth + 2);
+                object(visual, WorldMaterials.colorOf(visual), List.of(), null, null, depth + 2);
             }
             close("visual", depth + 1);
         }
@@ -265,7 +269,7 @@ public final class WorldWriter {
         } else if (object instanceof ObjectGroup group) {
             bounds(group.boundingVolume(), depth);
             for (GeometryObject member : group.members()) {
-                object(member, WorldMaterials.colorOf(member), List.of(), null, depth);
+                object(member, WorldMaterials.colorOf(member), List.of(), null, null, depth);
             }
         } else if (object instanceof GridObject grid) {
             BitSet occupied = grid.occupied();
@@ -279,7 +283,7 @@ public final class WorldWriter {
     private void bounds(@Nullable GeometryObject volume, int depth) {
         if (volume != null) {
             indent(depth).append("<bounds>\n");
-            object(volume, WorldMaterials.colorOf(volume), List.of(), null, depth + 1);
+            object(volume, WorldMaterials.colorOf(volume), List.of(), null, null, depth + 1);
             indent(depth).append("</bounds>\n");
         }
     }

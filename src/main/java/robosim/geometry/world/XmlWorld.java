@@ -169,7 +169,8 @@ final class XmlWorld implements WorldHandler.Includes {
         if (name != null && !prefix.isEmpty()) {
             object = object.isMoveable() ? object.moveable(prefix + name) : object.named(prefix + name);
         }
-        return new WorldObject(object, given.color(), given.sonars(), given.body());
+        String attached = given.attached() == null ? null : prefix + given.attached();
+        return new WorldObject(object, given.color(), given.sonars(), given.body(), attached);
     }
 
     /** A file that exists and lies in the tree of one of the folders, also after following links. */

@@ -2,6 +2,7 @@ package robosim.geometry.junit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -24,6 +25,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
@@ -193,6 +195,31 @@ class DrivingTest {
             }
             return new Scenario(reader.header(), steps);
         }
+    }
+
+    @Test
+    void whatWasCarriedIsReplayedToTheBit() throws IOException {
+        RobotWorld world = RobotWorld.of(arena());
+        world.object("crate").hasMass(5);
+        Robot drum = world.robot("drum");
+        Robot cart = world.robot("cart").drives(1, 7).forSeconds(0.5);
+        cart.attach("crate").drives(0.6, 25).forSeconds(2);
+        Pose held = world.geometry()
+                .getObject("crate")
+                .pose()
+                .relativeTo(world.geometry().getObject("cart").pose());
+        cart.drives(0.5, -30).forSeconds(1);
+        Pose later = world.geometry()
+                .getObject("crate")
+                .pose()
+                .relativeTo(world.geometry().getObject("cart").pose());
+        assertThat(later.center().x()).isEqualTo(held.center().x(), within(1e-9));
+        assertThat(later.center().z()).isEqualTo(held.center().z(), within(1e-9));
+        cart.detach("crate").drives(-1, 0).forSeconds(1);
+        assertThat(world.geometry().carrierOf("crate")).isNull();
+        assertThat(drum.center()).isNotNull();
+        Scenario scenario = writtenAndRead(world);
+        assertThat(Replay.of(scenario)).isEmpty();
     }
 
     @Test

@@ -105,6 +105,7 @@ final class Hostile {
             batches.addAll(BatchSamples.listed());
             batches.addAll(BatchSamples.copies());
             batches.add(BatchSamples.walks());
+            batches.add(BatchSamples.attachments());
             batches.addAll(BatchSamples.rules());
             batches.addAll(StepSamples.later());
             batches.add(
@@ -152,6 +153,7 @@ final class Hostile {
         lines.add(JsonLines.write(new Reply(BatchSamples.copies().get(1))));
         lines.add("{\"type\":\"hello\",\"version\":1,\"resume\":\"\"}");
         lines.add(JsonLines.write(BatchSamples.walks()));
+        lines.add(JsonLines.write(BatchSamples.attachments()));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.rules().get(1))));
         lines.add(JsonLines.write(BatchSamples.rules().get(2)));

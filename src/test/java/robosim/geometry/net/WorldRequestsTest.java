@@ -31,6 +31,7 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.WorldSettings;
+import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
@@ -445,6 +446,66 @@ class WorldRequestsTest extends SessionOfObjects {
         assertThat(answers.get(4)).isEqualTo(new WorldAnswer.Separated(new Point()));
         assertThat(reply.problems()).hasSize(1);
         assertThat(reply.problems().get(0).toString()).contains("no moveable object \"wall\"");
+    }
+
+    @Test
+    void aLoadIsAttachedAndDetached() {
+        GeometryObject crate = new BoxObject(new Point(-1, 0, 0), 0.5, 0.5, 0.5).moveable("crate");
+        session.reply(new InitBundle(List.of(WALL, crate, ROBOT), SPATIAL));
+        Mount beyond = new Mount(new Point(3, 0, 0));
+        WorldRequest.Attach refused = new WorldRequest.Attach("crate", "robot", beyond);
+        var answers = ask(
+                refused,
+                new WorldRequest.Attach("crate", "robot", new Mount(new Point(30, 0, 0))),
+                new WorldRequest.Attach("crate", "robot", new Mount(new Point(0.5, 0, 0))),
+                go(0, Math.PI / 2),
+                new WorldRequest.Locate("crate"),
+                new WorldRequest.ListObjects(0, 9),
+                new WorldRequest.Detach("crate"),
+                go(0, Math.PI / 2),
+                new WorldRequest.Locate("crate"),
+                new WorldRequest.ListObjects(0, 9));
+        assertThat(answers.get(0)).isEqualTo(new WorldAnswer.Changed(false, "wall"));
+        assertThat(answers.get(0).fits(refused)).isTrue();
+        assertThat(answers.get(1)).isEqualTo(new WorldAnswer.Changed(false, null));
+        assertThat(answers.get(2)).isEqualTo(new WorldAnswer.Changed(true, null));
+        assertThat(((WorldAnswer.Located) answers.get(4)).center()).isEqualTo(new Point(0, 0, -0.5));
+        assertThat(names(answers.get(5))).containsExactly("0 wall", "2 robot");
+        assertThat(answers.get(6)).isEqualTo(new WorldAnswer.Changed(true, null));
+        assertThat(((WorldAnswer.Located) answers.get(8)).center()).isEqualTo(new Point(0, 0, -0.5));
+        assertThat(names(answers.get(9))).as("it counts as added anew").containsExactly("0 wall", "2 robot", "3 crate");
+    }
+
+    private static List<String> names(Object listed) {
+        return ((WorldAnswer.Listed) listed)
+                .objects().stream()
+                        .map(each -> each.index() + " " + each.name())
+                        .toList();
+    }
+
+    @Test
+    void whatCannotBeAttachedIsRefused() {
+        session.reply(new InitBundle(List.of(WALL, ROBOT), SPATIAL));
+        Reply reply = reply(
+                new WorldRequest.Attach("robot", "robot", null),
+                new WorldRequest.Attach("robot", "wall", null),
+                new WorldRequest.Attach("wall", "robot", null),
+                new WorldRequest.Attach("robot", "nobody", null),
+                new WorldRequest.Detach("robot"),
+                new WorldRequest.Detach("nobody"));
+        assertThat(reply.problems()).hasSize(6);
+        assertThat(((BatchAnswerBundle) reply.bundle()).answers()).allMatch(NoAnswer.class::isInstance);
+    }
+
+    @Test
+    void removingACarrierLeavesItsLoads() {
+        GeometryObject crate = new BoxObject(new Point(-1, 0, 0), 0.5, 0.5, 0.5).moveable("crate");
+        session.reply(new InitBundle(List.of(crate, ROBOT), SPATIAL));
+        var answers = ask(
+                new WorldRequest.Attach("crate", "robot", null),
+                new WorldRequest.Remove("robot"),
+                new WorldRequest.ListObjects(0, 9));
+        assertThat(names(answers.get(2))).containsExactly("2 crate");
     }
 
     /** A sill of 0.2 stops what slides, and a walker climbs it and is put down behind it. */

@@ -166,6 +166,13 @@ class BatchMessageTest {
     }
 
     @Test
+    void attachmentsComeBackAsTheyWere() throws IOException {
+        Bundle attachments = BatchSamples.attachments();
+        assertThat(MessageTest.readAll(MessageTest.write(attachments))).isEqualTo(List.of(attachments));
+        assertThat(JsonLines.readRequest(JsonLines.write(attachments))).isEqualTo(attachments);
+    }
+
+    @Test
     void walksComeBackAsTheyWere() throws IOException {
         Bundle walks = BatchSamples.walks();
         assertThat(MessageTest.readAll(MessageTest.write(walks))).isEqualTo(List.of(walks));

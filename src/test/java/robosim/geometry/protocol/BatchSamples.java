@@ -242,6 +242,14 @@ public final class BatchSamples {
                 List.of(new WorldRequest.GoAndSlide("r", 1, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0.25, 0.5, 1))));
     }
 
+    /** What is attached and detached. */
+    public static Bundle attachments() {
+        return new BatchRequestBundle(List.of(
+                new WorldRequest.Attach("b", "r", null),
+                new WorldRequest.Attach("b", "r", new Mount(new Point(1, 0.5, -2))),
+                new WorldRequest.Detach("b")));
+    }
+
     /** Distances out of range, freed objects and rules for surfaces. */
     public static List<Bundle> rules() {
         SenseRequest fan = new SenseRequest("r", new BeamPattern.Fan(0, 1, 3));

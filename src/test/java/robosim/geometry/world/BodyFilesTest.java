@@ -2,6 +2,7 @@ package robosim.geometry.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -13,6 +14,7 @@ import java.util.Objects;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.DifferentialDrive;
 import robosim.geometry.dynamics.Drive;
@@ -46,6 +48,44 @@ class BodyFilesTest {
     private static Drive drive(String attributes) throws WorldException {
         return Objects.requireNonNull(Objects.requireNonNull(body("<body><drive " + attributes + "/></body>"))
                 .drive());
+    }
+
+    @Test
+    void whatIsAttachedIsReadWrittenAndCarried() throws IOException {
+        World world = WorldReader.read(Path.of("worlds", "yard.xml"));
+        assertThat(world.objects().stream()
+                        .filter(each -> each.attached() != null)
+                        .map(each -> each.object().name() + " to " + each.attached()))
+                .containsExactly("bar to tractor", "trailer to bar");
+        byte[] written = WorldWriter.toXml(world).getBytes(StandardCharsets.UTF_8);
+        assertThat(WorldReader.read(new ByteArrayInputStream(written), "written", null))
+                .isEqualTo(world);
+        Geometry geometry = world.toGeometry();
+        assertThat(geometry.carrierOf("trailer")).isEqualTo("bar");
+        assertThat(geometry.simpleMove("tractor", 5, 0, 0)).isTrue();
+        assertThat(geometry.getObject("trailer").center().x()).isEqualTo(-1.1, within(1e-12));
+        assertThat(geometry.simpleTurn("tractor", 40))
+                .as("the trailer hits the gate")
+                .isTrue();
+        assertThat(world.joined()).hasSize(world.objects().size() - 2);
+    }
+
+    @Test
+    void whatCannotBeAttachedIsRefusedWithItsName() {
+        String box = "<box name=\"%s\" moveable=\"true\" attached=\"%s\" width=\"1\" height=\"1\" length=\"2\"/>";
+        for (String objects : List.of(
+                box.formatted("a", "a"),
+                box.formatted("a", "nobody"),
+                box.formatted("a", "b") + box.formatted("b", "a"),
+                "<box name=\"wall\" width=\"1\" height=\"1\" length=\"2\"/>" + box.formatted("a", "wall"),
+                "<box name=\"a\" attached=\"b\" width=\"1\" height=\"1\" length=\"2\"/>"
+                        + "<box name=\"b\" moveable=\"true\" width=\"1\" height=\"1\" length=\"2\"/>",
+                "<group name=\"g\" moveable=\"true\">" + box.formatted("a", "g") + "</group>")) {
+            assertThatThrownBy(() -> read(objects))
+                    .as(objects)
+                    .isInstanceOf(WorldException.class)
+                    .hasMessageContaining("attached");
+        }
     }
 
     @Test

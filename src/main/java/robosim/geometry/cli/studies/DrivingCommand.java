@@ -67,6 +67,7 @@ public final class DrivingCommand implements Callable<Integer> {
     private static final int MOST_STEPS = 10_000_000;
     private static final double MOST = 1e9;
     private static final String TOLD = "NAME=SPEED[,TURN], as in cart=0.5,10";
+    private static final String ATTACHED = "NAME=CARRIER, as in trailer=tractor";
     private static final String WEIGHED = "NAME=KG, as in crate=8";
 
     @Spec
@@ -119,6 +120,13 @@ public final class DrivingCommand implements Callable<Integer> {
             description = "lets robots push every moveable object; those without a body in the file weigh 200 kg/m^3")
     private boolean push;
 
+    @Option(
+            names = "--attach",
+            paramLabel = "NAME=CARRIER",
+            description = "attaches a moveable object to another one where it stands, as a trailer or a load; may be"
+                    + " repeated")
+    private List<String> attached = new ArrayList<>();
+
     @Option(names = "--planar", description = "drives a world in which heights count as one in which they do not")
     private boolean planar;
 
@@ -135,6 +143,7 @@ public final class DrivingCommand implements Callable<Integer> {
         if (planar) {
             read = read.planar();
         }
+        read = attached(read);
         List<DriveCommand> commands = commands(read);
         DriveRun run;
         Path file = record;
@@ -152,6 +161,29 @@ public final class DrivingCommand implements Callable<Integer> {
         }
         print(run, read);
         return run.stopped().isEmpty() ? 0 : ExitCodes.FINDINGS;
+    }
+
+    private World attached(World read) {
+        Map<String, String> carriers = new LinkedHashMap<>();
+        for (String text : attached) {
+            String[] pair = pair("--attach", ATTACHED, text);
+            known(read, "--attach", pair[0]);
+            known(read, "--attach", pair[1]);
+            carriers.put(pair[0], pair[1]);
+        }
+        try {
+            return read.withObjects(read.objects().stream()
+                    .map(each -> {
+                        String carrier =
+                                carriers.get(String.valueOf(each.object().name()));
+                        return carrier == null
+                                ? each
+                                : new WorldObject(each.object(), each.color(), each.sonars(), each.body(), carrier);
+                    })
+                    .toList());
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--attach: " + e.getMessage());
+        }
     }
 
     private void check() {

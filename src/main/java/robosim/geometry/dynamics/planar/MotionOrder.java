@@ -2,7 +2,9 @@ package robosim.geometry.dynamics.planar;
 
 import java.util.Arrays;
 import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.DoubleDouble;
 
 /**
  * Carries bodies in the world along the ways that were found for them. In an exact world all go at once whose ways are proved
@@ -224,11 +226,42 @@ final class MotionOrder {
     private void put(int b, Trajectories of, double until) {
         int leg = of.last[b];
         double degrees = Degrees.toDegrees(of.angle[leg] - atAngle[b]);
-        world.put(bodies.id[b], of.x[leg] - atX[b], of.z[leg] - atZ[b], degrees);
+        double dx = of.x[leg] - atX[b] - swingX(b, degrees);
+        double dz = of.z[leg] - atZ[b] - swingZ(b, degrees);
+        world.put(bodies.id[b], dx, dz, degrees);
         arrive(b, until, of.x[leg], of.z[leg], of.angle[leg]);
         if (until == legs.time[legs.last[b]]) {
             firstLeg[b] = -1;
         }
+    }
+
+    /** How far a turn takes the centre of mass along X if the object's own centre stays where it is. */
+    private double swingX(int b, double degrees) {
+        if (degrees == 0 || !bodies.isOffset(b)) {
+            return 0;
+        }
+        return bodies.asideX(b, cos(b, degrees), sin(b, degrees)) - bodies.asideX(b, cos(b, 0), sin(b, 0));
+    }
+
+    private double swingZ(int b, double degrees) {
+        if (degrees == 0 || !bodies.isOffset(b)) {
+            return 0;
+        }
+        return bodies.asideZ(b, cos(b, degrees), sin(b, degrees)) - bodies.asideZ(b, cos(b, 0), sin(b, 0));
+    }
+
+    private double cos(int b, double degrees) {
+        int at = world.objects.place(bodies.id[b]) + ObjectTable.HEADING;
+        double heading = world.objects.places()[at];
+        double sum = heading + degrees;
+        return Degrees.cos(sum, world.objects.places()[at + 1] + DoubleDouble.sumTail(heading, degrees, sum));
+    }
+
+    private double sin(int b, double degrees) {
+        int at = world.objects.place(bodies.id[b]) + ObjectTable.HEADING;
+        double heading = world.objects.places()[at];
+        double sum = heading + degrees;
+        return Degrees.sin(sum, world.objects.places()[at + 1] + DoubleDouble.sumTail(heading, degrees, sum));
     }
 
     /** Carries all one after the other. */
@@ -346,9 +379,11 @@ final class MotionOrder {
     }
 
     /** Makes a translation and a turn, one after the other in one of both orders; nothing if neither is free. */
-    private boolean makes(int b, double dx, double dz, double degrees) {
+    private boolean makes(int b, double massX, double massZ, double degrees) {
         bodies.betweenParts.run();
         int id = bodies.id[b];
+        double dx = massX - swingX(b, degrees);
+        double dz = massZ - swingZ(b, degrees);
         boolean translates = dx != 0 || dz != 0;
         if (!translates || world.translate(id, dx, 0, dz)) {
             if (degrees == 0 || world.turn(id, degrees)) {
@@ -373,7 +408,7 @@ final class MotionOrder {
      * there is nobody who could.
      */
     private boolean letGo(int b, double until, double dx, double dz, double degrees) {
-        int obstacle = world.blocker(bodies.id[b], dx, dz, degrees);
+        int obstacle = world.blocker(bodies.id[b], dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees);
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
         if (other < 0 || isOnWay[other] || isBlocked[other] || ++waiting > MOST_WAITING) {
             return false;
@@ -417,7 +452,10 @@ final class MotionOrder {
         double by = legs.angle[leg] - atAngle[b];
         double fromX = world.objects.places()[world.objects.place(id)];
         double fromZ = world.objects.places()[world.objects.place(id) + 2];
-        boolean isThere = world.moveToContact(id, dx, dz, Degrees.toDegrees(by), gap);
+        double degrees = Degrees.toDegrees(by);
+        double cos = bodies.isOffset(b) ? cos(b, 0) : 1;
+        double sin = bodies.isOffset(b) ? sin(b, 0) : 0;
+        boolean isThere = world.moveToContact(id, dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees, gap);
         int obstacle = isThere ? -1 : world.obstacle();
         blocker[b] = obstacle;
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
@@ -426,6 +464,10 @@ final class MotionOrder {
         int at = world.objects.place(id);
         double madeX = places[at] - fromX;
         double madeZ = places[at + 2] - fromZ;
+        if (bodies.isOffset(b)) {
+            madeX += bodies.asideX(b, cos(b, 0), sin(b, 0)) - bodies.asideX(b, cos, sin);
+            madeZ += bodies.asideZ(b, cos(b, 0), sin(b, 0)) - bodies.asideZ(b, cos, sin);
+        }
         atX[b] += madeX;
         atZ[b] += madeZ;
         double lacking = length(dx - madeX, dz - madeZ);

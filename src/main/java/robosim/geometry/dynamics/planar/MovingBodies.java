@@ -38,6 +38,11 @@ final class MovingBodies {
 
     double[] ownEase = new double[FIRST];
 
+    /** The centre of mass as seen from the object's own centre, in axes that turn with its heading. */
+    double[] offsetX = new double[FIRST];
+
+    double[] offsetZ = new double[FIRST];
+
     /** The greatest distance of any of its points from the centre. */
     double[] size = new double[FIRST];
 
@@ -68,6 +73,8 @@ final class MovingBodies {
             ease = Arrays.copyOf(ease, room);
             ownLightness = Arrays.copyOf(ownLightness, room);
             ownEase = Arrays.copyOf(ownEase, room);
+            offsetX = Arrays.copyOf(offsetX, room);
+            offsetZ = Arrays.copyOf(offsetZ, room);
             size = Arrays.copyOf(size, room);
             isDriven = Arrays.copyOf(isDriven, room);
             firstPiece = Arrays.copyOf(firstPiece, room);
@@ -75,6 +82,20 @@ final class MovingBodies {
             changes = Arrays.copyOf(changes, room);
         }
         return count++;
+    }
+
+    /** Whether a body's centre of mass is not where its object has its own centre. */
+    boolean isOffset(int b) {
+        return offsetX[b] != 0 || offsetZ[b] != 0;
+    }
+
+    /** How far the centre of mass is from the object's centre along X, in a direction given by its cosine and sine. */
+    double asideX(int b, double cos, double sin) {
+        return cos * offsetX[b] + sin * offsetZ[b];
+    }
+
+    double asideZ(int b, double cos, double sin) {
+        return cos * offsetZ[b] - sin * offsetX[b];
     }
 
     /** Where a body is at a time at which its velocity has not changed since its own. */

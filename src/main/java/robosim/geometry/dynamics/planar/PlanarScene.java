@@ -112,17 +112,13 @@ final class PlanarScene {
         Pose pose = present.pose();
         int first = pieces.count;
         if (pose.isUpright()) {
-            outlines.add(b, bodies.id[b], present.at(Pose.ORIGIN), 0, 0, 1, 0);
+            outlines.add(b, bodies.id[b], present.at(Pose.ORIGIN), bodies.offsetX[b], bodies.offsetZ[b], 1, 0);
         } else {
-            double heading = present.heading();
-            outlines.add(
-                    b,
-                    bodies.id[b],
-                    present,
-                    pose.center().x(),
-                    pose.center().z(),
-                    Degrees.cos(heading),
-                    Degrees.sin(heading));
+            double cos = Degrees.cos(present.heading());
+            double sin = Degrees.sin(present.heading());
+            double x = pose.center().x() + bodies.asideX(b, cos, sin);
+            double z = pose.center().z() + bodies.asideZ(b, cos, sin);
+            outlines.add(b, bodies.id[b], present, x, z, cos, sin);
         }
         bodies.firstPiece[b] = first;
         bodies.pieces[b] = pieces.count - first;
@@ -214,6 +210,10 @@ final class PlanarScene {
             double sin = isUpright
                     ? places[r + 2]
                     : Degrees.sin(places[at + ObjectTable.HEADING], places[at + ObjectTable.HEADING + 1]);
+            if (bodies.isOffset(b)) {
+                bodies.x[b] += bodies.asideX(b, cos, sin);
+                bodies.z[b] += bodies.asideZ(b, cos, sin);
+            }
             for (int k = 0; k < bodies.pieces[b]; k++) {
                 pieces.turn(bodies.firstPiece[b] + k, cos, sin);
             }

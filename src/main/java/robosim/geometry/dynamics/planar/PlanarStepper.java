@@ -96,6 +96,8 @@ public final class PlanarStepper {
         bodies.id[b] = id;
         bodies.ownLightness[b] = mass == 0 ? 0 : 1 / mass;
         bodies.ownEase[b] = mass == 0 ? 0 : 1 / inertia;
+        bodies.offsetX[b] = 0;
+        bodies.offsetZ[b] = 0;
         if (b >= Math.min(isPressed.length, waited.length)) {
             isPressed = new boolean[2 * b];
             waited = Arrays.copyOf(waited, 2 * b);
@@ -106,6 +108,12 @@ public final class PlanarStepper {
         bodies.stop(b);
         scene.forget();
         return b;
+    }
+
+    /** Sets where the centre of mass is as seen from the object's own centre, in axes that turn with its heading; before a build. */
+    public void setOffset(int b, double x, double z) {
+        bodies.offsetX[b] = x;
+        bodies.offsetZ[b] = z;
     }
 
     /** Sets the moment of inertia of a body about the vertical, before a step. */

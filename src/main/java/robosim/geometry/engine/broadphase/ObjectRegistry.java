@@ -2,14 +2,17 @@ package robosim.geometry.engine.broadphase;
 
 import java.lang.ref.SoftReference;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.check.NearNames;
+import robosim.geometry.engine.objects.Attachments;
 import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.SharedObjectTable;
@@ -38,6 +41,9 @@ import robosim.geometry.narrow.leaf.LocalLeaves;
 public final class ObjectRegistry {
     public final ObjectTable objects;
     public final WorldBounds worldBounds;
+
+    /** Which objects are attached to others. */
+    public final Attachments attachments = new Attachments();
 
     /** The world as it is seen where a query does not say how. */
     public final AccuracyView view;
@@ -224,9 +230,10 @@ public final class ObjectRegistry {
     /** Adds an object; a checked one only where it touches nothing. */
     public boolean add(GeometryObject object, boolean checked) {
         String name = Checks.present("object", object).name();
-        if (name != null && objects.find(name) >= 0) {
+        if (name != null && (objects.find(name) >= 0 || attachments.root(name) != null)) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
+        attachments.check(object, objects);
         work.take(parts(object));
         if (!fitsAsPlaced(object) || (checked && touchesAny())) {
             return false;
@@ -236,6 +243,7 @@ public final class ObjectRegistry {
         for (int k = 1; k < views.length; k++) {
             views[k].add(id, object);
         }
+        attachments.added(object, objects.arrival(id));
         if (journal != null) {
             journal.added(id);
         }
@@ -266,6 +274,7 @@ public final class ObjectRegistry {
         for (AccuracyView each : views) {
             each.add(id, object);
         }
+        attachments.added(object, arrival);
         return id;
     }
 
@@ -307,9 +316,16 @@ public final class ObjectRegistry {
     }
 
     public boolean remove(String name) {
-        int id = objects.find(Checks.present("name", name));
+        if (attachments.root(Checks.present("name", name)) != null) {
+            detach(name);
+        }
+        int id = objects.find(name);
         if (id < 0) {
             return false;
+        }
+        while (objects.value(id) instanceof ObjectGroup group && !group.loads().isEmpty()) {
+            detach(String.valueOf(group.loads().get(0).name()));
+            id = objects.find(name);
         }
         SharedIndex others = shared;
         if (ObjectTable.isShared(id) && others != null) {
@@ -328,7 +344,120 @@ public final class ObjectRegistry {
             each.catchUp(objects);
             each.own.remove(id);
         }
+        attachments.removed(objects.value(id));
         objects.remove(id);
+    }
+
+    /**
+     * Attaches a moveable object to another one, or to a load of one.
+     *
+     * @param at where it is held, in the frame of the carrier; null for where it is
+     * @return false, and nothing changes, if it would touch anything but the carrier there or leave the world
+     */
+    public boolean attach(String carrier, String load, @Nullable Pose at) {
+        int loadId = mover(load);
+        String root = attachments.root(Checks.present("carrier", carrier));
+        int rootId = mover(root == null ? carrier : root);
+        if (rootId == loadId) {
+            throw new IllegalArgumentException("carrier must be neither the load nor attached to it (got: \"" + carrier
+                    + "\" and \"" + load + "\")");
+        }
+        GeometryObject whole = objects.present(rootId);
+        GeometryObject object = objects.present(loadId);
+        Pose holder =
+                Checks.present("carrier", Attachments.find(whole, carrier)).pose();
+        Pose held = at == null ? object.pose().relativeTo(holder) : at;
+        GeometryObject made = Attachments.with(whole, carrier, object, held);
+        if (at != null && !isFree(object.at(held.within(holder)), rootId, loadId)) {
+            return false;
+        }
+        Map<String, Long> births = births(object, objects.arrival(loadId));
+        take(loadId);
+        births.forEach(attachments::keepBirth);
+        replace(objects.find(String.valueOf(whole.name())), made);
+        return true;
+    }
+
+    /** Whether an object may be at a place, where two others do not count. */
+    private boolean isFree(GeometryObject object, int one, int other) {
+        objects.ignored.add(one);
+        objects.ignored.add(other);
+        try {
+            return fits(object) && !collides(view, object, -1);
+        } finally {
+            objects.ignored.clear();
+        }
+    }
+
+    /** Detaches an object from its carrier: it stays where it is, and counts as added now. */
+    public void detach(String load) {
+        String root = attachments.root(Checks.present("load", load));
+        if (root == null) {
+            known(load);
+            throw new IllegalArgumentException("load must be attached to something (got: \"" + load + "\")");
+        }
+        int rootId = objects.find(root);
+        GeometryObject whole = objects.present(rootId);
+        GeometryObject object = Checks.present("load", Attachments.find(whole, load));
+        for (double share = 0x1p-52; !fits(object); share *= 2) { // rounding has put it beyond the border
+            Point c = object.center();
+            object = object.at(object.pose()
+                    .movedTo(new Point(c.x() - c.x() * share, c.y() - c.y() * share, c.z() - c.z() * share)));
+        }
+        Map<String, Long> births = births(object, objects.arrivals());
+        replace(rootId, Attachments.without(whole, String.valueOf(Attachments.carrier(whole, load)), load));
+        births.forEach(attachments::keepBirth);
+        note(restore(object, objects.arrivals()));
+    }
+
+    /** Puts an object in the place of another one, among the arrivals too. */
+    private void replace(int id, GeometryObject by) {
+        long arrivals = objects.arrivals();
+        long arrival = objects.arrival(id);
+        Map<String, Long> births = births(by, arrival);
+        take(id);
+        births.forEach(attachments::keepBirth);
+        note(restore(by, arrival));
+        objects.arriveAt(arrivals);
+    }
+
+    /** When an object and all that it carries came into the world at first. */
+    private Map<String, Long> births(GeometryObject object, long arrival) {
+        Map<String, Long> births = new HashMap<>();
+        Attachments.forEachPart(object, (part, pose) -> births.put(part, attachments.birth(part, arrival)));
+        return births;
+    }
+
+    private void take(int id) {
+        if (journal != null) {
+            journal.removes(id);
+        }
+        remove(id);
+    }
+
+    private void note(int id) {
+        if (journal != null) {
+            journal.added(id);
+        }
+    }
+
+    /** An object at its present place, attached ones too. */
+    public GeometryObject part(String name) {
+        String root = attachments.root(Checks.present("name", name));
+        if (root == null) {
+            return objects.present(known(name));
+        }
+        return Checks.present("name", Attachments.find(objects.present(objects.find(root)), name));
+    }
+
+    /** The name of what an object is attached to; null if it is not attached. */
+    public @Nullable String carrier(String name) {
+        String root = attachments.root(Checks.present("name", name));
+        if (root == null) {
+            known(name);
+            return null;
+        }
+        return Attachments.carrier(objects.value(objects.find(root)), name);
     }
 
     /** Puts a moveable object upright at a place where it touches nothing. */
@@ -521,6 +650,11 @@ public final class ObjectRegistry {
     /** The id of an object that must be there. */
     public int known(String name) {
         int id = objects.find(Checks.present("name", name));
+        String root = id < 0 ? attachments.root(name) : null;
+        if (root != null) {
+            throw new IllegalArgumentException("name must be that of an object of its own; this one is attached to \""
+                    + root + "\": use that, or detach it (got: \"" + name + "\")");
+        }
         if (id < 0) {
             List<String> near = NearNames.of(name, this::names);
             throw new IllegalArgumentException("name must be that of an object in the world"

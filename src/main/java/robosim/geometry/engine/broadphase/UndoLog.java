@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.Attachments;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.GeometryObject;
 
@@ -13,6 +14,7 @@ final class UndoLog {
     private final ObjectRegistry registry;
     private final ObjectTable objects;
     private final long arrivals;
+    private final Attachments attachments;
 
     /** Where the moveable objects that were moved or removed were at first, by their names. */
     private final Map<String, double[]> places = new HashMap<>();
@@ -31,6 +33,7 @@ final class UndoLog {
         this.registry = registry;
         objects = registry.objects;
         arrivals = objects.arrivals();
+        attachments = registry.attachments.copy();
     }
 
     /** An object is about to be moved. */
@@ -73,6 +76,7 @@ final class UndoLog {
             }
         }
         objects.arriveAt(arrivals);
+        registry.attachments.restore(attachments);
         places.forEach((name, place) -> {
             int id = objects.find(name);
             if (id >= 0) {

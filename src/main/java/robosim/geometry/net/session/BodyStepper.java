@@ -27,6 +27,7 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.Numbers;
@@ -204,7 +205,7 @@ public final class BodyStepper {
     }
 
     private void add(BodyRequest asked) {
-        GeometryObject object = world.getObject(asked.objectName());
+        GeometryObject object = ObjectGroup.withoutLoads(world.getObject(asked.objectName()));
         SurfaceSettings given = asked.surface();
         Surface surface = new Surface(given.restitution(), given.staticFriction(), given.slidingFriction());
         if (!object.isMoveable()
@@ -269,7 +270,7 @@ public final class BodyStepper {
             throw new IllegalArgumentException("turn of a car must be an angle of its front wheels between -pi/2 and"
                     + " pi/2, in radians (got: " + command.turn() + ")");
         }
-        GeometryObject object = world.getObject(name);
+        GeometryObject object = ObjectGroup.withoutLoads(world.getObject(name));
         if (!object.isMoveable()) {
             throw new IllegalArgumentException(
                     "objectName must be that of a moveable object (got: " + Text.quoted(name) + ")");

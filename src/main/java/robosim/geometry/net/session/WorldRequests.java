@@ -20,6 +20,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.protocol.batch.ListedObject;
+import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
 import robosim.geometry.protocol.batch.WorldAnswer;
@@ -125,6 +126,14 @@ public final class WorldRequests {
         if (request instanceof WorldRequest.Remove remove) {
             return remove(world, remove.objectName(), moveable);
         }
+        if (request instanceof WorldRequest.Attach attach) {
+            return attach(world, attach);
+        }
+        if (request instanceof WorldRequest.Detach detach) {
+            world.detach(detach.objectName());
+            renumber(world, detach.objectName());
+            return DONE;
+        }
         if (request instanceof WorldRequest.Place place) {
             return isPlaced(world, place) ? DONE : new WorldAnswer.Changed(false, first(world, place));
         }
@@ -193,13 +202,50 @@ public final class WorldRequests {
     }
 
     private WorldAnswer remove(Geometry world, String name, Set<String> moveable) {
-        int members = world.hasObject(name) ? count(List.of(world.getObject(name))) : 0;
+        GeometryObject object = world.hasObject(name) ? world.getObject(name) : null;
+        int members = object == null ? 0 : count(List.of(ObjectGroup.withoutLoads(object)));
         boolean isRemoved = world.removeObject(name);
         if (isRemoved) {
+            if (object instanceof ObjectGroup group) {
+                group.loads().forEach(load -> renumber(world, String.valueOf(load.name())));
+            }
             numbers.removed(name, moveable.remove(name));
             present -= members;
         }
         return new WorldAnswer.Changed(isRemoved, null);
+    }
+
+    private static WorldAnswer attach(Geometry world, WorldRequest.Attach attach) {
+        String load = attach.objectName();
+        Mount mount = attach.mount();
+        if (mount == null) {
+            world.attach(attach.carrier(), load);
+            return DONE;
+        }
+        if (world.attach(attach.carrier(), load, mount.pose())) {
+            return DONE;
+        }
+        Pose at = mount.pose().within(world.getObject(attach.carrier()).pose());
+        GeometryObject held = world.getObject(load).at(at);
+        ObjectSearch search = world.search();
+        List<GeometryObject> touched = search.fits(held) ? search.touching(held) : List.of();
+        Optional<GeometryObject> first = touched.stream()
+                .filter(each -> !load.equals(each.name()) && !isWithin(each, attach.carrier()))
+                .findFirst();
+        return new WorldAnswer.Changed(false, name(first));
+    }
+
+    /** Whether an object of the world has a part of a name. */
+    private static boolean isWithin(GeometryObject object, String name) {
+        return name.equals(object.name())
+                || (object instanceof ObjectGroup group
+                        && group.loads().stream().anyMatch(load -> isWithin(load, name)));
+    }
+
+    /** An object that has been detached counts as added now. */
+    private void renumber(Geometry world, String load) {
+        numbers.removed(load, true);
+        numbers.added(world.getObject(load));
     }
 
     private static boolean isPlaced(Geometry world, WorldRequest.Place place) {

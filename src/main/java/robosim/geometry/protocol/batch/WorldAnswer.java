@@ -164,6 +164,8 @@ public sealed interface WorldAnswer extends BatchAnswer {
             return Checks.present("request", request) instanceof WorldRequest.Place
                     || request instanceof WorldRequest.Add
                     || request instanceof WorldRequest.Remove
+                    || request instanceof WorldRequest.Attach
+                    || request instanceof WorldRequest.Detach
                     || (request instanceof WorldRequest.Separate && !done);
         }
     }

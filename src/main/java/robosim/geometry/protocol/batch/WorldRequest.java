@@ -28,6 +28,11 @@ public sealed interface WorldRequest extends BatchRequest {
         return null;
     }
 
+    /** Whether it may change which objects there are in the world. */
+    default boolean isAboutObjects() {
+        return addition() != null;
+    }
+
     /** About how many bytes of memory its answer takes, where that is more than a few. */
     default long answerBytes() {
         return 1;
@@ -170,6 +175,66 @@ public sealed interface WorldRequest extends BatchRequest {
         /** Refuses null. */
         public Remove {
             Checks.present("objectName", objectName);
+        }
+
+        @Override
+        public boolean isAboutObjects() {
+            return true;
+        }
+    }
+
+    /**
+     * Attaches a moveable object to another one: from then on it is a part of that, and moves with it. Answered by a
+     * {@link WorldAnswer.Changed}.
+     *
+     * @param objectName the name of the load
+     * @param carrier    the name of the object that carries it, which may be attached itself
+     * @param mount      where it is held, in the frame of the carrier, if nothing else is there; null for where it is now
+     */
+    record Attach(
+            String objectName, String carrier, @Nullable Mount mount) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null names. */
+        public Attach {
+            Checks.present("objectName", objectName);
+            Checks.present("carrier", carrier);
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
+
+        @Override
+        public boolean isAboutObjects() {
+            return true;
+        }
+    }
+
+    /**
+     * Detaches an object from what carries it; it stays where it is. Answered by a {@link WorldAnswer.Changed}.
+     *
+     * @param objectName the name of an attached object
+     */
+    record Detach(String objectName) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null. */
+        public Detach {
+            Checks.present("objectName", objectName);
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
+
+        @Override
+        public boolean isAboutObjects() {
+            return true;
         }
     }
 

@@ -147,6 +147,12 @@ final class JsonBatches {
                             .optional(WorldRequest.ListObjects.USUAL_LISTED, "count")),
             JsonKinds.kind("separate", JsonObject.of(WorldRequest.Separate.class)),
             JsonKinds.kind(
+                    "attach",
+                    JsonObject.of(WorldRequest.Attach.class)
+                            .form("mount", MOUNT)
+                            .omitting(null, "mount")),
+            JsonKinds.kind("detach", JsonObject.of(WorldRequest.Detach.class)),
+            JsonKinds.kind(
                     "copy",
                     JsonObject.of(CopyRequest.Make.class).form("index", JsonForm.whole(0, CopyRequest.MOST - 1))),
             JsonKinds.kind(

@@ -30,7 +30,6 @@ import robosim.geometry.world.Skipped;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
-import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.shared.FileWork;
 
 /**
@@ -203,8 +202,7 @@ public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
         }
         World world = read.world();
         work.accept(world.objects().size()); // each is named and measured below
-        List<GeometryObject> objects = new ArrayList<>(
-                world.objects().stream().map(WorldObject::object).toList());
+        List<GeometryObject> objects = new ArrayList<>(world.joined());
         if (load.isNaming()) {
             name(objects);
         }

@@ -15,7 +15,6 @@ import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldObject;
 
 /** A world as the requests that make it. */
 public final class WorldOpening {
@@ -26,7 +25,7 @@ public final class WorldOpening {
         Checks.present("world", world);
         WorldSettings settings =
                 new WorldSettings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
-        return new InitBundle(world.objects().stream().map(WorldObject::object).toList(), settings);
+        return new InitBundle(world.joined(), settings);
     }
 
     /**

@@ -134,8 +134,7 @@ public final class Replayer {
                     bumps.add(new Frame.Bump(before, heading, tried, aim, Scene.Refusal.Kind.MOVE));
                 }
                 Geometry world = session.world();
-                boolean isOther = about instanceof WorldRequest.Remove || about.addition() != null;
-                setting = isOther && world != null ? Frame.Setting.of(world, colours) : setting;
+                setting = about.isAboutObjects() && world != null ? Frame.Setting.of(world, colours) : setting;
                 GeometryObject mover = about.isAboutMover() ? mover(about.objectName()) : null;
                 if (mover != null) {
                     placed.put(about.objectName(), mover.pose());

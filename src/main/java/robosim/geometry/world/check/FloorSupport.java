@@ -68,7 +68,8 @@ final class FloorSupport {
                 object.movedTo(new Point(center.x(), center.y() + raise, center.z())),
                 robot.color(),
                 robot.sonars(),
-                robot.body());
+                robot.body(),
+                robot.attached());
     }
 
     /** The falls of robots below which there is nothing but the lower border. */

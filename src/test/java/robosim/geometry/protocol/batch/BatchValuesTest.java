@@ -193,6 +193,9 @@ class BatchValuesTest {
         refuses("maxSlope must be from 0 to pi / 2", v -> new WorldRequest.Walk(0, v, 0), Double.NaN, -0.1, 1.6, 45);
         refuses("max ", v -> new WorldRequest.Separate("r", v), Double.NaN, -1, 1e300, Double.POSITIVE_INFINITY);
         refuses("objectName", () -> new WorldRequest.Separate(null, 1));
+        refuses("objectName", () -> new WorldRequest.Attach(null, "r", null));
+        refuses("carrier", () -> new WorldRequest.Attach("b", null, null));
+        refuses("objectName", () -> new WorldRequest.Detach(null));
         refuses("displacement", () -> new WorldAnswer.Separated(null));
         refuses("snap ", v -> new WorldRequest.Walk(0, 1, v), Double.NaN, -1, 1e300);
         refuses("bends must be from 0 to 64", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, 0, (int) v), -1, 65);

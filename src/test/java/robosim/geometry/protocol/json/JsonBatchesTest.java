@@ -146,6 +146,7 @@ class JsonBatchesTest {
                         + "{\"objectName\":\"r\",\"kind\":\"moveAndSlide\",\"maxSlopeRadians\":0.5},"
                         + "{\"objectName\":\"r\",\"kind\":\"moveAndSlide\",\"stepHeight\":0.25,\"snap\":1},"
                         + "{\"max\":2,\"objectName\":\"r\",\"kind\":\"separate\"},"
+                        + "{\"kind\":\"attach\",\"carrier\":\"r\",\"objectName\":\"b\"},"
                         + "{\"identify\":false,\"kind\":\"move\",\"objectName\":\"r\"},"
                         + "{\"kind\":\"sense\",\"pattern\":{\"kind\":\"fan\",\"first\":0,\"step\":1,\"count\":4}}")))
                 .isEqualTo(new BatchRequestBundle(List.of(
@@ -155,6 +156,7 @@ class JsonBatchesTest {
                         new WorldRequest.GoAndSlide(
                                 "r", 0, 0, 0, 0, 0, 0, 4, new WorldRequest.Walk(0.25, Math.PI / 2, 1)),
                         new WorldRequest.Separate("r", 2),
+                        new WorldRequest.Attach("b", "r", null),
                         new WorldRequest.Go("r", 0, 0, 0, 0, 0),
                         new SenseRequest("", new BeamPattern.Fan(0, 1, 4)))));
         BeamPattern pattern = new BeamPattern.Fan(0, 1, 4);
@@ -217,7 +219,7 @@ class JsonBatchesTest {
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
                         "must be sense, poses, edges, measure, picture, world, pose, place, add, remove, move,"
-                                + " moveToContact, moveAndSlide, list, separate, copy or tick (got: \"x\")"),
+                                + " moveToContact, moveAndSlide, list, separate, attach, detach, copy or tick (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0/max: max must be at least min"),

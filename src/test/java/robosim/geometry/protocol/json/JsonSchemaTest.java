@@ -160,6 +160,7 @@ class JsonSchemaTest {
         lines.add(JsonLines.write(BatchSamples.copies().get(0)));
         lines.add("{\"type\":\"hello\",\"version\":1,\"resume\":\"\"}");
         lines.add(JsonLines.write(BatchSamples.walks()));
+        lines.add(JsonLines.write(BatchSamples.attachments()));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
         lines.add(JsonLines.write(BatchSamples.rules().get(2)));
         lines.add(JsonLines.write(StepSamples.later().get(0)));
