@@ -115,6 +115,7 @@ final class AllowedClasses {
             WorldRequest.Remove.class,
             WorldRequest.Go.class,
             WorldRequest.GoToContact.class,
+            WorldRequest.Drive.class,
             WorldRequest.GoAndSlide.class,
             WorldRequest.Walk.class,
             WorldRequest.Separate.class,

@@ -89,7 +89,8 @@ class JsonSchemaTest {
             "beams together",
             "slidingFriction must be at most",
             "must be left out for a drive",
-            "maxTurn of a car");
+            "maxTurn of a car",
+            "keeps no sessions");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -161,6 +162,8 @@ class JsonSchemaTest {
         lines.add("{\"type\":\"hello\",\"version\":1,\"resume\":\"\"}");
         lines.add(JsonLines.write(BatchSamples.walks()));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
+        lines.add(JsonLines.write(BatchSamples.drives().get(0)));
+        lines.add(JsonLines.write(BatchSamples.drives().get(2)));
         lines.add(JsonLines.write(BatchSamples.rules().get(2)));
         lines.add(JsonLines.write(StepSamples.later().get(0)));
         lines.add(JsonLines.write(
@@ -195,6 +198,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(StepSamples.landing())),
                 JsonLines.write(new Reply(BatchSamples.rules().get(1))),
+                JsonLines.write(new Reply(BatchSamples.drives().get(1))),
                 JsonLines.write(new Reply(StepSamples.later().get(1))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
@@ -371,6 +375,8 @@ class JsonSchemaTest {
             "obstacles",
             "identify",
             "clearance",
+            "layers",
+            "ignored",
             "bends",
             "contacts",
             "done",
