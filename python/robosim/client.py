@@ -44,7 +44,7 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Op
 
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
-    "pinhole", "directions", "sense", "picture", "poses", "edges", "measure", "pose", "place", "add", "remove", "go", "go_to_contact",
+    "pinhole", "directions", "sense", "picture", "poses", "edges", "measure", "pose", "place", "add", "remove", "go", "go_to_contact", "drive_for",
     "go_and_slide", "separate", "attach", "detach", "mixing", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
     "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
@@ -410,12 +410,13 @@ def _packed(numbers: Iterable[float]) -> str:
 
 
 # Objects. Each may have a name=, be moveable=True, and have a heading= or a rotation= of nine numbers, row by row, whose
-# columns are its own axes in the world; and a material=, as docs/materials.md has it in JSON: {"color": "#ff8000"}.
+# columns are its own axes in the world; a material=, as docs/materials.md has it in JSON: {"color": "#ff8000"}; and layers=, names
+# without spaces, by which queries leave out all objects of a layer.
 
 def _object(kind: str, fields: Json, rest: Json) -> Json:
     for field in rest:
-        if field not in ("name", "moveable", "heading", "rotation", "material", "center"):
-            raise TypeError(f"a {kind} has no {field}; it may have a name, moveable, heading, rotation and material")
+        if field not in ("name", "moveable", "heading", "rotation", "material", "layers", "center"):
+            raise TypeError(f"a {kind} has no {field}; it may have a name, moveable, heading, rotation, material and layers")
     made = {"kind": kind, **fields, **{field: value for field, value in rest.items() if value is not None}}
     if "center" in made:
         made["center"] = list(made["center"])
@@ -579,18 +580,21 @@ def _mount(at: Vector, heading: float, rotation: Optional[Vector]) -> Json:
 def sense(name: str, pattern: Json, *, at: Vector = (0, 0, 0), heading: float = 0.0,
           rotation: Optional[Vector] = None, min: float = 0.0, max: float = math.inf, width: float = 0.0,
           sees_carrier: bool = False, normals: bool = False, objects: bool = False,
-          motion: Optional[Json] = None, rep117: bool = False) -> Json:
+          motion: Optional[Json] = None, rep117: bool = False, ignored: Iterable[str] = ()) -> Json:
     """All beams of a sensor on an object: `at` a place of its own frame, facing a heading there or with a rotation.
     Without a name, "", those of a sensor that nothing carries: `at` is a place of the world. An echo nearer than `min` is
-    reported as `min`; with `rep117` as -inf, as in ROS. Distances are in world units, `heading` and `width`, the full
-    opening angle of each beam, in radians."""
-    request = {"kind": "sense", "mount": _mount(at, heading, rotation), "pattern": pattern, "min": min,
+    reported as `min`; with `rep117` as -inf, as in ROS. Objects in `ignored`, named themselves or by a layer, do not
+    echo. Distances are in world units, `heading` and `width`, the full opening angle of each beam, in radians."""
+    request: Json = {"kind": "sense", "mount": _mount(at, heading, rotation), "pattern": pattern, "min": min,
                "max": None if math.isinf(max) else max, "width": width, "seesCarrier": sees_carrier,
                "normals": normals, "objects": objects}
     if name:
         request["objectName"] = name
     if rep117:
         request["rep117"] = True
+    names = list(ignored)
+    if names:
+        request["ignored"] = names
     return request if motion is None else {**request, "motion": motion}
 
 
@@ -661,6 +665,14 @@ def go_to_contact(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx:
                   clearance: float = 0.0) -> Json:
     """A move as far as the way is free, and so far from what blocks it: world units, and turns in radians."""
     return {**go(name, x, y, z, rx, ry), "kind": "moveToContact", "clearance": clearance}
+
+
+def drive_for(name: str, seconds: float, x: float = 0.0, y: float = 0.0, z: float = 0.0, ry: float = 0.0,
+              clearance: Optional[float] = None) -> Json:
+    """A motion with a velocity that stays constant in the object's own frame: world units and radians a second. Without a
+    clearance it is all or nothing; with one it stops so far from what blocks it."""
+    request: Json = {"kind": "drive", "objectName": name, "x": x, "y": y, "z": z, "ryRadians": ry, "seconds": seconds}
+    return request if clearance is None else {**request, "clearance": clearance}
 
 
 def go_and_slide(name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, rx: float = 0.0, ry: float = 0.0,
@@ -1065,6 +1077,13 @@ class Module:
         the shares that were made; it is true where all of the move was."""
         return self._one(go_to_contact(name, x, y, z, rx, ry, clearance))
 
+    def drive_for(self, name: str, seconds: float, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, ry: float = 0.0,
+                  clearance: Optional[float] = None) -> Went:
+        """Moves an object with a velocity that stays constant in its own frame, so that it turns while it translates: along an
+        arc. World units and radians a second. All or nothing; with a clearance it goes as far as it can, and the answer's
+        fractions are the shares of the time that were made."""
+        return self._one(drive_for(name, seconds, x, y, z, ry, clearance))
+
     def move_and_slide(self, name: str, x: float = 0.0, y: float = 0.0, z: float = 0.0, *, rx: float = 0.0,
                        ry: float = 0.0, clearance: float = 0.0, bends: int = 4, step_height: float = 0.0,
                        max_slope: float = math.pi / 2, snap: float = 0.0) -> Slid:
@@ -1156,7 +1175,7 @@ class Module:
                    points: bool = False) -> "array.array[float]":
         """The signed distance of an object at each pose to the nearest other: below 0 where it overlaps one, infinite if nothing
         is within max. With points, ten numbers for each pose: the distance, a point on the object, one on the other, and the
-        direction from that. Named objects that are ignored do not count."""
+        direction from that. Objects in `ignored`, named themselves or by a layer, do not count."""
         question = "CLEARANCES" if points else "DISTANCES"
         return self._one(measure(name, question, numbers, max=max, ignored=ignored))
 
@@ -1263,7 +1282,7 @@ def _read(request: Json, answer: Json) -> Answer:
             return _unpacked("d", answer["numbers"])
         if kind == "pose":
             return Pose(answer["center"], answer["rotation"], answer["heading"])
-        if kind in ("move", "moveToContact"):
+        if kind in ("move", "moveToContact", "drive"):
             return Went(answer["made"], answer.get("fraction", 1.0), answer.get("turnFraction", 1.0),
                         answer.get("obstacle"), answer.get("contact"), answer.get("normal"), _obstacles(answer))
         if kind == "moveAndSlide":

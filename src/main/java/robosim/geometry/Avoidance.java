@@ -9,7 +9,7 @@ import robosim.geometry.engine.objects.IgnoredObjects;
 
 /**
  * What a moving object keeps clear of, and by how much: a margin, and names of objects that do not count, such as the floor
- * it stands on or a tool that it carries. A planner keeps one for each robot; together they are its matrix of allowed
+ * it stands on or a tool that it carries, or of layers. A planner keeps one for each robot; together they are its matrix of allowed
  * collisions.
  *
  * <pre>{@code
@@ -23,7 +23,8 @@ import robosim.geometry.engine.objects.IgnoredObjects;
  * Geometry#getProximity} returns there, and that from the world's bounds, are at least the margin.
  *
  * @param margin  world units; at least 0. With 0, touching is colliding
- * @param ignored names of objects that do not count; each must be in the world of the query
+ * @param ignored names of objects that do not count, or of {@linkplain robosim.geometry.model.GeometryObject#layers layers} of
+ *                which none does. Each must be in the world of the query; an object comes before a layer of the same name
  */
 public record Avoidance(double margin, Set<String> ignored) {
     /** Everything counts, without a margin. */
@@ -31,10 +32,7 @@ public record Avoidance(double margin, Set<String> ignored) {
 
     public Avoidance {
         margin = Checks.clearance(margin) + 0.0;
-        for (String name : Checks.present("ignored", ignored)) {
-            Checks.present("ignored name", name);
-        }
-        ignored = Set.copyOf(ignored);
+        ignored = Checks.names("ignored", ignored);
     }
 
     /** Everything counts, with a margin. */
@@ -52,7 +50,7 @@ public record Avoidance(double margin, Set<String> ignored) {
         return new Avoidance(other, ignored);
     }
 
-    /** The same with more objects that do not count, such as all of a group or layer of the caller's. */
+    /** The same with more objects or layers that do not count. */
     public Avoidance andIgnoring(Collection<String> names) {
         Set<String> all = new LinkedHashSet<>(ignored);
         all.addAll(Checks.present("names", names));
@@ -61,9 +59,6 @@ public record Avoidance(double margin, Set<String> ignored) {
 
     /** Leaves the ignored objects out of a world's queries, until its {@link IgnoredObjects#clear}. */
     void begin(World world) {
-        world.objects.ignored.clear();
-        for (String name : ignored) {
-            world.objects.ignored.add(world.registry.known(name));
-        }
+        world.registry.ignore(ignored);
     }
 }

@@ -1,6 +1,7 @@
 package robosim.geometry;
 
 import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
@@ -661,6 +662,20 @@ public final class Geometry implements WorldQueries {
                                 engine.beams.point(2, distance)),
                         new Point(vector[0], vector[1], vector[2]),
                         objects.present(engine.beams.hit()));
+    }
+
+    /**
+     * The same without some objects: what a ray hits first behind them.
+     *
+     * @param ignored names of objects, or of {@linkplain GeometryObject#layers layers}, as in {@link Avoidance}
+     */
+    public @Nullable RayHit castRay(Ray ray, double max, Set<String> ignored) {
+        registry.ignore(Checks.names("ignored", ignored));
+        try {
+            return castRay(ray, max);
+        } finally {
+            objects.ignored.clear();
+        }
     }
 
     /**

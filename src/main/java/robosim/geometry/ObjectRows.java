@@ -5,6 +5,7 @@ import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -34,6 +35,7 @@ import robosim.geometry.model.Pose;
  * @param places   by object: the {@link Pose#PLACE} numbers of its place
  * @param materials by object: null for the default; all of it null if no object was given one
  * @param visuals  by object: null for none; all of it null if no object was given any
+ * @param layers   by object: null for none; all of it null if no object is in a layer
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared; the numbers are checked on the way out
 record ObjectRows(
@@ -45,7 +47,8 @@ record ObjectRows(
         boolean[] moveable,
         double[] places,
         @Nullable Material @Nullable [] materials,
-        @Nullable List<GeometryObject> @Nullable [] visuals)
+        @Nullable List<GeometryObject> @Nullable [] visuals,
+        @Nullable List<String> @Nullable [] layers)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -85,6 +88,7 @@ record ObjectRows(
         double[] places = new double[Pose.PLACE * count];
         @Nullable Material @Nullable [] materials = null;
         @Nullable List<GeometryObject> @Nullable [] visuals = null;
+        @Nullable List<String> @Nullable [] layers = null;
         List<GeometryObject> shapes = new ArrayList<>();
         Map<Shape, Integer> seen = new HashMap<>();
         for (int k = 0; k < count; k++) {
@@ -98,6 +102,10 @@ record ObjectRows(
             if (object.visuals() != null) {
                 visuals = visuals == null ? lists(count) : visuals;
                 visuals[k] = object.visuals();
+            }
+            if (!object.layers().isEmpty()) {
+                layers = layers == null ? lists(count) : layers;
+                layers[k] = object.layers().stream().sorted().toList();
             }
             object.pose().place(places, Pose.PLACE * k);
             double[] own = object.sizes();
@@ -119,12 +127,13 @@ record ObjectRows(
                 moveable,
                 places,
                 materials,
-                visuals);
+                visuals,
+                layers);
     }
 
     @SuppressWarnings("unchecked") // there is no array of a generic type
-    private static @Nullable List<GeometryObject>[] lists(int count) {
-        return (List<GeometryObject>[]) new List<?>[count];
+    private static <T> @Nullable List<T>[] lists(int count) {
+        return (List<T>[]) new List<?>[count];
     }
 
     private static Shape shape(GeometryObject object) {
@@ -150,6 +159,7 @@ record ObjectRows(
         checkLength("places", Checks.present("places", places).length, (long) Pose.PLACE * count);
         checkLength("materials", materials == null ? count : materials.length, count);
         checkLength("visuals", visuals == null ? count : visuals.length, count);
+        checkLength("layers", layers == null ? count : layers.length, count);
         Checks.present("shapes", shapes);
         List<GeometryObject> objects = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
@@ -180,7 +190,10 @@ record ObjectRows(
                 : kind.of(
                         pose.center(),
                         Arrays.copyOfRange(sizes, from, from + kind.sizes().size()));
-        return PlacedObject.like(made, names[k], moveable[k], material(k), visuals == null ? null : visuals[k], pose);
+        GeometryObject placed =
+                PlacedObject.like(made, names[k], moveable[k], material(k), visuals == null ? null : visuals[k], pose);
+        List<String> in = layers == null ? null : layers[k];
+        return in == null ? placed : placed.withLayers(new HashSet<>(in));
     }
 
     private GeometryObject shape(int k) {

@@ -2,6 +2,7 @@ package robosim.geometry.check;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /** Argument checks; each message names the argument and its value. */
@@ -95,6 +96,14 @@ public final class Checks {
             throw new IllegalArgumentException("name must have a visible character (got: \"" + value + "\")");
         }
         return value;
+    }
+
+    /** An immutable copy of a set of names. */
+    public static Set<String> names(String argument, Set<String> names) {
+        for (String name : present(argument, names)) {
+            name(name);
+        }
+        return Set.copyOf(names);
     }
 
     /**

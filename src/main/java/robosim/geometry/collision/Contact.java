@@ -17,4 +17,12 @@ import robosim.geometry.model.Point;
  *     number says how far
  * @param certainty whether it is proven that they touch
  */
-public record Contact(ContactPart a, ContactPart b, Point point, Point normal, double error, Certainty certainty) {}
+public record Contact(ContactPart a, ContactPart b, Point point, Point normal, double error, Certainty certainty) {
+    /**
+     * One of the points on which two pieces lie: see {@link ContactQuery#manifold}.
+     *
+     * @param point midway between the surfaces of both
+     * @param depth how far they overlap there along the contact's normal, world units; at least 0
+     */
+    public record Spot(Point point, double depth) {}
+}

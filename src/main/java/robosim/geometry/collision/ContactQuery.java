@@ -6,10 +6,14 @@ import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.mesh.ContactPairs;
 import robosim.geometry.narrow.mesh.NearestPairs;
@@ -104,6 +108,50 @@ public final class ContactQuery {
     public static @Nullable Contact first(GeometryObject a, GeometryObject b) {
         List<Contact> found = contacts(a, b, Dimension.SPATIAL, 1);
         return found.isEmpty() ? null : found.get(0);
+    }
+
+    /**
+     * On which points the two pieces of a contact lie: up to four, deepest first. Two faces have the corners of the part
+     * that they share, two edges their crossing, a face and an edge two points, and a corner or a ball one. What is turned by
+     * less than 6 degrees against the plane of the contact counts as a face, and the end of a cylinder as an octagon. All
+     * points are in plain doubles. If no such points are found, as within a solid mesh, the contact's own is the only one, with
+     * depth 0.
+     *
+     * @param contact one of the {@link #contacts(GeometryObject, GeometryObject)} in space of the same two objects
+     */
+    public static List<Contact.Spot> manifold(GeometryObject a, GeometryObject b, Contact contact) {
+        check(a, b, Dimension.SPATIAL);
+        Checks.present("contact", contact);
+        Leaf ofA = Parts.piece(a, contact.a());
+        Leaf ofB = Parts.piece(b, contact.b());
+        List<Contact.Spot> spots =
+                ofA == null || ofB == null ? List.of() : new ContactPatch(contact.normal()).of(ofA, ofB);
+        return spots.isEmpty() ? List.of(new Contact.Spot(contact.point(), 0)) : List.copyOf(spots);
+    }
+
+    /**
+     * Distance along a beam from its start to an object in space, as {@code Geometry.getRayDistance} returns it in a world with
+     * nothing else.
+     *
+     * @param width full opening angle in degrees, from 0 (a ray) up to, not including, 180
+     * @return 0 if the beam starts inside a solid or on the object; {@code +Infinity} if it misses
+     */
+    public static double beamDistance(Ray ray, double width, GeometryObject object) {
+        Checks.present("ray", ray);
+        Checks.width(width);
+        LeafColumn leaves = leaves(Checks.present("object", object), MEMORY.get().first);
+        Cast cast = new Cast(new Scratch());
+        Point from = ray.start();
+        Point to = ray.direction();
+        cast.line(Dimension.SPATIAL, from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
+        if (width > 0) {
+            cast.beam.widen(Degrees.cos(width / 2), Degrees.sin(width / 2));
+        }
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int leaf = 0; leaf < leaves.size(); leaf++) {
+            nearest = Math.min(nearest, cast.distance(leaves, leaf, nearest));
+        }
+        return nearest;
     }
 
     /**

@@ -3,11 +3,14 @@ package robosim.geometry.collision;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.WorkCounter;
+import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.narrow.leaf.GridWalk;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /**
@@ -64,6 +67,41 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
             cells[part] = cell;
         }
         return new Parts(leaves, Arrays.copyOf(cells, leaves.size()));
+    }
+
+    /** The convex piece that takes part in a contact of an object; null for a solid mesh as a whole. */
+    static @Nullable Leaf piece(GeometryObject object, ContactPart part) {
+        LeafColumn leaves = LocalLeaves.placed(object);
+        if (object instanceof GridObject) {
+            double[] box = new double[6];
+            leaves.bounds(0, box);
+            GridWalk walk = new GridWalk(new WorkCounter());
+            walk.startBox(leaves, 0, box);
+            return new Leaf().set(walk.piece(part.part(), leaves.kind(0)), 0);
+        }
+        if (part.part() < 0 || part.part() >= leaves.size()) {
+            throw new IllegalArgumentException(
+                    "contact must be one of these objects (got: part " + part.part() + " of " + leaves.size() + ")");
+        }
+        if (!leaves.kind(part.part()).isMesh()) {
+            return new Leaf().set(leaves, part.part());
+        }
+        return part.isFace() ? triangle(leaves, part) : null;
+    }
+
+    private static Leaf triangle(LeafColumn leaves, ContactPart part) {
+        TriangleMesh mesh = leaves.mesh(part.part());
+        for (int triangle = 0; triangle < mesh.size(); triangle++) {
+            if (mesh.face(triangle) == part.face()) {
+                Leaf leaf = new Leaf(LeafKind.TRIANGLE);
+                for (int k = 0; k < 9; k++) {
+                    int vertex = mesh.vertex(triangle + part.half(), k / 3);
+                    leaf.row[k] = mesh.placed(vertex, k % 3, leaves.rows(part.part()), leaves.at(part.part()));
+                }
+                return leaf;
+            }
+        }
+        throw new IllegalArgumentException("contact must be one of these objects (got: face " + part.face() + ")");
     }
 
     boolean isEmpty() {

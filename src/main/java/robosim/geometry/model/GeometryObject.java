@@ -3,6 +3,7 @@ package robosim.geometry.model;
 import java.io.Serializable;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Material;
@@ -10,7 +11,7 @@ import robosim.geometry.material.Material;
 /**
  * An object of a world: an immutable value. The world, not the value, holds where a moveable object is now.
  *
- * <p>Values compare by name, place, attitude, shape, material and visuals. Serialization goes through small records, so that no object can
+ * <p>Values compare by name, place, attitude, shape, material, visuals and layers. Serialization goes through small records, so that no object can
  * be created that its constructor would refuse.
  */
 public sealed interface GeometryObject extends Serializable
@@ -115,6 +116,12 @@ public sealed interface GeometryObject extends Serializable
     @Nullable
     List<GeometryObject> visuals();
 
+    /**
+     * The names of the layers that it belongs to; mostly none. Queries leave out all objects of a layer where they are given its
+     * name to be ignored, as in {@link SenseOptions#ignoring}. Layers of a member of a group have no effect.
+     */
+    Set<String> layers();
+
     /** This object as it is seen where it stands: itself, or a group of its visuals under its name; null if nothing is seen. */
     default @Nullable GeometryObject seen() {
         List<GeometryObject> visuals = visuals();
@@ -125,7 +132,10 @@ public sealed interface GeometryObject extends Serializable
         if (visuals.isEmpty()) {
             return null;
         }
-        GeometryObject group = new ObjectGroup(visuals).withMaterial(material()).at(pose());
+        GeometryObject group = new ObjectGroup(visuals)
+                .withMaterial(material())
+                .withLayers(layers())
+                .at(pose());
         return name == null ? group : isMoveable() ? group.moveable(name) : group.named(name);
     }
 
@@ -167,6 +177,9 @@ public sealed interface GeometryObject extends Serializable
      * @param visuals in its own frame, static and without visuals of their own; null for the look of its shape
      */
     GeometryObject withVisuals(@Nullable List<? extends GeometryObject> visuals);
+
+    /** This object in given layers, and in no other: any names, which need not be unique. */
+    GeometryObject withLayers(Set<String> layers);
 
     /** This object with another centre and the same attitude. */
     GeometryObject movedTo(Point center);

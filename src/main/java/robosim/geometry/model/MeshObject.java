@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.exact.ConvexHull;
 import robosim.geometry.index.meshes.TriangleMesh;
 import robosim.geometry.material.TextureCoordinates;
 
@@ -85,6 +86,54 @@ public final class MeshObject extends PlacedObject<MeshObject> implements Geomet
         return Arrays.stream(Checks.present("faces", faces))
                 .map(face -> face == null ? null : face.clone())
                 .toArray(int[][]::new);
+    }
+
+    /**
+     * The convex hull of points: the solid that they span, a closed surface of triangles that are counter-clockwise seen from
+     * outside. It is decided without rounding, so that it holds every point. Its corners are among the points. The hull of points
+     * in one plane, on one line or all at one place is flat, a segment or a point.
+     *
+     * <pre>{@code
+     * MeshObject wedge = MeshObject.hull(List.of(new Point(0, 0, 0), new Point(2, 0, 0), new Point(0, 2, 0),
+     *         new Point(0, 0, 2), new Point(0.5, 0.5, 0.5)));
+     * wedge.faces().length;                                            // 4: the last point is inside
+     * }</pre>
+     *
+     * @param points in the mesh's own frame; at least one
+     */
+    public static MeshObject hull(List<Point> points) {
+        double[] coordinates = flat(points);
+        if (coordinates.length == 0) {
+            throw new IllegalArgumentException("points must hold at least one point (got: none)");
+        }
+        return new MeshObject(Tag.NONE, Pose.ORIGIN, hull(coordinates), true, null);
+    }
+
+    /** The convex hull of this mesh, where it stands and under its name. */
+    public MeshObject hull() {
+        double[] corners = new double[9 * triangles.size()];
+        for (int k = 0; k < corners.length; k++) {
+            corners[k] = triangles.coordinate(triangles.vertex(k / 9, k / 3 % 3), k % 3);
+        }
+        return new MeshObject(tag, pose, hull(corners), true, null);
+    }
+
+    /** The hull of points with no vertices but those of its faces, in the order given. */
+    private static TriangleMesh hull(double[] coordinates) {
+        int[][] faces = ConvexHull.of(coordinates);
+        int[] used = Arrays.stream(faces)
+                .flatMapToInt(Arrays::stream)
+                .sorted()
+                .distinct()
+                .toArray();
+        for (int[] face : faces) {
+            Arrays.setAll(face, k -> Arrays.binarySearch(used, face[k]));
+        }
+        double[] kept = new double[3 * used.length];
+        for (int k = 0; k < used.length; k++) {
+            System.arraycopy(coordinates, 3 * used[k], kept, 3 * k, 3);
+        }
+        return new TriangleMesh(kept, faces);
     }
 
     /** This mesh with a bounding volume in its own frame, or with the default if null. */

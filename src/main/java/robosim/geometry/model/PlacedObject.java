@@ -46,7 +46,7 @@ public abstract class PlacedObject<S extends GeometryObject> {
         return SerialForms.classes();
     }
 
-    /** For internal use: the shape of an object with another name, mobility, material, visuals and pose. */
+    /** For internal use: the shape of an object with another name, mobility, material, visuals and pose, in no layer. */
     public static GeometryObject like(
             GeometryObject object,
             @Nullable String name,
@@ -54,7 +54,8 @@ public abstract class PlacedObject<S extends GeometryObject> {
             Material material,
             @Nullable List<GeometryObject> visuals,
             Pose pose) {
-        return ((PlacedObject<?>) object).with(new Tag(name, moveable, Look.of(material, Tag.checked(visuals))), pose);
+        Look look = Look.of(material, Tag.checked(visuals), Set.of());
+        return ((PlacedObject<?>) object).with(new Tag(name, moveable, look), pose);
     }
 
     /** The same shape with another tag and pose. */
@@ -81,7 +82,15 @@ public abstract class PlacedObject<S extends GeometryObject> {
     }
 
     public final S withVisuals(@Nullable List<? extends GeometryObject> visuals) {
-        return with(new Tag(tag.name(), tag.moveable(), Look.of(material(), Tag.checked(visuals))), pose);
+        return with(tag.with(Look.of(material(), Tag.checked(visuals), layers())), pose);
+    }
+
+    public final Set<String> layers() {
+        return tag.look().layers();
+    }
+
+    public final S withLayers(Set<String> layers) {
+        return with(tag.with(Look.of(material(), visuals(), layers)), pose);
     }
 
     public final S named(String name) {
@@ -93,7 +102,7 @@ public abstract class PlacedObject<S extends GeometryObject> {
     }
 
     public final S withMaterial(Material material) {
-        return with(tag.of(material), pose);
+        return with(tag.with(Look.of(material, visuals(), layers())), pose);
     }
 
     public final S movedTo(Point center) {
@@ -142,21 +151,31 @@ public abstract class PlacedObject<S extends GeometryObject> {
     }
 
     /**
-     * What an object looks like: most share {@link #DEFAULT}.
+     * What an object has besides its shape and name: most share {@link #DEFAULT}.
      *
      * @param visuals what is seen of it; null for its shape
+     * @param layers  names of the layers that it belongs to
      */
-    record Look(Material material, @Nullable List<GeometryObject> visuals) {
-        static final Look DEFAULT = new Look(Material.DEFAULT, null);
+    record Look(Material material, @Nullable List<GeometryObject> visuals, Set<String> layers) {
+        static final Look DEFAULT = new Look(Material.DEFAULT, null, Set.of());
 
         Look {
             Checks.present("material", material);
+            layers = Checks.names("layers", layers);
+            for (String layer : layers) {
+                if (layer.chars().anyMatch(Character::isWhitespace)) {
+                    throw new IllegalArgumentException(
+                            "layers must have names without spaces, as files list them (got: \"" + layer + "\")");
+                }
+            }
         }
 
-        static Look of(Material material, @Nullable List<GeometryObject> visuals) {
-            return visuals == null && Checks.present("material", material).isDefault()
+        static Look of(Material material, @Nullable List<GeometryObject> visuals, Set<String> layers) {
+            boolean isPlain =
+                    visuals == null && Checks.present("layers", layers).isEmpty();
+            return isPlain && Checks.present("material", material).isDefault()
                     ? DEFAULT
-                    : new Look(material, visuals);
+                    : new Look(material, visuals, layers);
         }
     }
 
@@ -201,9 +220,9 @@ public abstract class PlacedObject<S extends GeometryObject> {
             return new Tag(Checks.name(newName), moveable, look);
         }
 
-        /** The same of another material. */
-        Tag of(Material newMaterial) {
-            return new Tag(name, moveable, Look.of(newMaterial, look.visuals()));
+        /** The same with another look. */
+        Tag with(Look newLook) {
+            return new Tag(name, moveable, newLook);
         }
 
         /** The name, if any, and the place, as text for people. */

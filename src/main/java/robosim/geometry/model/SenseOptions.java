@@ -1,5 +1,6 @@
 package robosim.geometry.model;
 
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 
@@ -21,6 +22,8 @@ import robosim.geometry.check.Checks;
  * @param threads     how many threads may work on the answer
  * @param motion      how the sensor moves during the scan; null if it stands still
  * @param seesHeights whether the beams see heights in a PLANAR world too, whichever way they look
+ * @param ignored     names of objects that do not echo, or of {@linkplain GeometryObject#layers layers} of which none does; an
+ *                    object comes before a layer of the same name
  */
 public record SenseOptions(
         double min,
@@ -29,7 +32,8 @@ public record SenseOptions(
         Carrier carrier,
         int threads,
         @Nullable Twist motion,
-        boolean seesHeights) {
+        boolean seesHeights,
+        Set<String> ignored) {
 
     /** Whether a sensor sees the object that carries it. */
     public enum Carrier {
@@ -47,6 +51,7 @@ public record SenseOptions(
         width = Checks.width(width) + 0.0;
         Checks.present("carrier", carrier);
         Checks.threads(threads);
+        ignored = Checks.names("ignored", ignored);
     }
 
     /**
@@ -56,7 +61,7 @@ public record SenseOptions(
      * @param max range, world units, {@code min <= max}; may be infinite
      */
     public static SenseOptions range(double min, double max) {
-        return new SenseOptions(min, max, 0, Carrier.IGNORED, 1, null, false);
+        return new SenseOptions(min, max, 0, Carrier.IGNORED, 1, null, false, Set.of());
     }
 
     /**
@@ -65,12 +70,12 @@ public record SenseOptions(
      * @param degrees full opening angle of each beam, from 0 (a ray) up to, not including, 180
      */
     public SenseOptions withWidth(double degrees) {
-        return new SenseOptions(min, max, degrees, carrier, threads, motion, seesHeights);
+        return new SenseOptions(min, max, degrees, carrier, threads, motion, seesHeights, ignored);
     }
 
     /** These options for a sensor that sees or does not see the object that carries it. */
     public SenseOptions withCarrier(Carrier seen) {
-        return new SenseOptions(min, max, width, seen, threads, motion, seesHeights);
+        return new SenseOptions(min, max, width, seen, threads, motion, seesHeights, ignored);
     }
 
     /**
@@ -80,7 +85,7 @@ public record SenseOptions(
      * @param count 1 to 1024
      */
     public SenseOptions withThreads(int count) {
-        return new SenseOptions(min, max, width, carrier, count, motion, seesHeights);
+        return new SenseOptions(min, max, width, carrier, count, motion, seesHeights, ignored);
     }
 
     /**
@@ -92,17 +97,18 @@ public record SenseOptions(
      * <p>The object that carries the sensor must be {@link Carrier#IGNORED}.
      */
     public SenseOptions withMotion(Twist velocity) {
-        return new SenseOptions(min, max, width, carrier, threads, Checks.present("velocity", velocity), seesHeights);
+        return new SenseOptions(
+                min, max, width, carrier, threads, Checks.present("velocity", velocity), seesHeights, ignored);
     }
 
     /** These options for a sensor that stands still during the scan. */
     public SenseOptions withoutMotion() {
-        return new SenseOptions(min, max, width, carrier, threads, null, seesHeights);
+        return new SenseOptions(min, max, width, carrier, threads, null, seesHeights, ignored);
     }
 
     /** These options with other ranges, as in {@link #range}. */
     public SenseOptions withRange(double least, double most) {
-        return new SenseOptions(least, most, width, carrier, threads, motion, seesHeights);
+        return new SenseOptions(least, most, width, carrier, threads, motion, seesHeights, ignored);
     }
 
     /**
@@ -110,6 +116,15 @@ public record SenseOptions(
      * measure in the plane there, and only a sensor that looks up or down sees heights. In a SPATIAL world it has no effect.
      */
     public SenseOptions withHeights() {
-        return new SenseOptions(min, max, width, carrier, threads, motion, true);
+        return new SenseOptions(min, max, width, carrier, threads, motion, true, ignored);
+    }
+
+    /**
+     * These options without some objects, as if they were not there.
+     *
+     * @param names of objects or {@linkplain GeometryObject#layers layers}, all of which must be in the world that is queried
+     */
+    public SenseOptions ignoring(String... names) {
+        return new SenseOptions(min, max, width, carrier, threads, motion, seesHeights, Set.of(names));
     }
 }

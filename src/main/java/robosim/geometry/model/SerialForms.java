@@ -2,6 +2,7 @@ package robosim.geometry.model;
 
 import java.io.Serial;
 import java.io.Serializable;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -36,7 +37,8 @@ final class SerialForms {
                 Grid.class,
                 Textured.class,
                 Surfaced.class,
-                Seen.class);
+                Seen.class,
+                Layered.class);
     }
 
     /**
@@ -44,6 +46,11 @@ final class SerialForms {
      * besides has the bytes that it always had.
      */
     static Object of(GeometryObject object) {
+        if (!object.layers().isEmpty()) {
+            return new Layered(
+                    object.withLayers(Set.of()),
+                    object.layers().stream().sorted().toList());
+        }
         List<GeometryObject> visuals = object.visuals();
         if (visuals != null) {
             return new Seen(object.withVisuals(null), visuals);
@@ -214,6 +221,18 @@ final class SerialForms {
         @Serial
         private Object readResolve() {
             return Checks.present("object", object).withVisuals(Checks.present("visuals", visuals));
+        }
+    }
+
+    /** An object in layers. */
+    record Layered(GeometryObject object, List<String> layers) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            List<String> names = Checks.list("layers", layers);
+            return Checks.present("object", object).withLayers(new HashSet<>(names));
         }
     }
 

@@ -117,6 +117,7 @@ final class AllowedClasses {
             WorldRequest.Detach.class,
             WorldRequest.Go.class,
             WorldRequest.GoToContact.class,
+            WorldRequest.Drive.class,
             WorldRequest.GoAndSlide.class,
             WorldRequest.Walk.class,
             WorldRequest.Separate.class,

@@ -23,9 +23,11 @@ import robosim.geometry.world.body.BodyXml;
 import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.xml.ChildNames;
 import robosim.geometry.world.xml.GridRuns;
 import robosim.geometry.world.xml.Text;
 
@@ -49,6 +51,7 @@ final class ObjectBuilder {
             Path file,
             double scale,
             boolean solid,
+            boolean hull,
             @Nullable GeometryObject bounds) {}
 
     ObjectBuilder(String source, @Nullable Path base) {
@@ -147,7 +150,9 @@ final class ObjectBuilder {
                 Objects.requireNonNull(element.occupied));
     }
 
-    private static GeometryObject tagged(Element element, GeometryObject object) {
+    private static GeometryObject tagged(Element element, GeometryObject shape) {
+        String layers = element.attribute("layers");
+        GeometryObject object = layers == null ? shape : shape.withLayers(ChildNames.words(layers));
         String name = element.attribute("name");
         boolean moveable = element.isTrue("moveable");
         if (name == null) {
@@ -208,41 +213,63 @@ final class ObjectBuilder {
 
     private MeshObject mesh(Element element) throws FileProblem {
         String file = element.attribute("file");
-        boolean solid = element.isTrue("solid");
         if (file == null) {
-            if (element.faces.isEmpty()) {
-                throw new IllegalArgumentException(
-                        "a mesh must have vertices with triangles or quads, or a file (got: neither)");
-            }
-            if (element.attribute("scale") != null) {
-                throw new IllegalArgumentException("scale applies only to a mesh from a file; remove it (got: "
-                        + element.attribute("scale") + ")");
-            }
-            MeshObject mesh = mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, solid);
-            double[] uv = element.uv;
-            int[] corners = element.corners;
-            return shared(
-                    uv == null || corners == null
-                            ? mesh
-                            : mesh.withTextureCoordinates(new TextureCoordinates(uv, corners)));
+            return shared(inline(element));
         }
-        if (!element.faces.isEmpty()) {
+        if (!element.faces.isEmpty() || !element.vertices.isEmpty()) {
             throw new IllegalArgumentException(
                     "a mesh must have either vertices or a file; remove one of them (got: both)");
         }
         Path path = locate(element, file);
         double scale = number(element, "scale", "1");
-        MeshObject read = fromFile(new MeshKey(path, scale, solid, element.bounds));
+        boolean hull = element.isTrue("hull");
+        MeshObject read = fromFile(new MeshKey(path, scale, element.isTrue("solid"), hull, element.bounds));
         Material material = materials.of(element);
         return shared(MeshFiles.trimmed(material == null ? read : read.withMaterial(material)));
+    }
+
+    /** A mesh that is written in the world's file. */
+    private static MeshObject inline(Element element) {
+        boolean hull = element.isTrue("hull");
+        if (element.vertices.isEmpty() || (element.faces.isEmpty() && !hull)) {
+            throw new IllegalArgumentException(
+                    "a mesh must have vertices with triangles or quads, vertices with hull=\"true\", or a file (got: "
+                            + (element.vertices.isEmpty() ? "neither" : "vertices alone") + ")");
+        }
+        if (element.attribute("scale") != null) {
+            throw new IllegalArgumentException(
+                    "scale applies only to a mesh from a file; remove it (got: " + element.attribute("scale") + ")");
+        }
+        if (hull) {
+            if (!element.faces.isEmpty()) {
+                throw new IllegalArgumentException(
+                        "a mesh with hull=\"true\" must have vertices alone; remove its triangles" + " and quads (got: "
+                                + element.faces.size() + " faces)");
+            }
+            FileWork.take(element.vertices.size());
+            return bounded(MeshObject.hull(element.vertices), element.bounds);
+        }
+        MeshObject mesh =
+                mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, element.isTrue("solid"));
+        double[] uv = element.uv;
+        int[] corners = element.corners;
+        return uv == null || corners == null ? mesh : mesh.withTextureCoordinates(new TextureCoordinates(uv, corners));
+    }
+
+    private static MeshObject bounded(MeshObject hull, @Nullable GeometryObject bounds) {
+        return bounds == null ? hull : mesh(hull.vertices(), hull.faces(), bounds, true);
     }
 
     private MeshObject fromFile(MeshKey key) throws FileProblem {
         MeshObject known = files.get(key);
         if (known == null) {
-            MeshKey plain = new MeshKey(key.file, key.scale, false, null);
+            MeshKey plain = new MeshKey(key.file, key.scale, false, false, null);
             if (key.equals(plain)) {
                 known = MeshFiles.read(key.file, key.scale, materials.textures);
+            } else if (key.hull) {
+                MeshObject surface = fromFile(plain);
+                FileWork.take(surface.triangles().size());
+                known = bounded(surface.hull(), key.bounds).withMaterial(surface.material());
             } else if (key.bounds == null) {
                 known = fromFile(plain).solid();
             } else {

@@ -30,6 +30,7 @@ final class SchemaErrors {
             Map.entry("cells", "a whole number of at least 1"),
             Map.entry("boolean", "true or false"),
             Map.entry("name", "text of at most 1000 characters, one of them visible"),
+            Map.entry("layers", "names without spaces, separated by spaces"),
             Map.entry("color", "# and six hexadecimal digits, like #cc8800"),
             Map.entry(
                     "rgb", "# and six hexadecimal digits, like #cc8800, or three numbers from 0 to 1, like 0.8 0.5 0"),

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeSet;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
@@ -219,6 +220,9 @@ public final class WorldWriter {
         }
         if (object.isMoveable()) {
             attribute("moveable", "true");
+        }
+        if (!object.layers().isEmpty()) {
+            attribute("layers", String.join(" ", new TreeSet<>(object.layers())));
         }
         Pose pose = object.pose();
         Point center = pose.center();

@@ -100,6 +100,7 @@ final class Hostile {
             batches.addAll(BatchSamples.frames());
             batches.addAll(BatchSamples.pictures());
             batches.addAll(BatchSamples.measures());
+            batches.addAll(BatchSamples.drives());
             batches.addAll(BatchSamples.world());
             batches.addAll(BatchSamples.obstacles());
             batches.addAll(BatchSamples.listed());
@@ -141,6 +142,7 @@ final class Hostile {
         lines.add(JsonLines.write(BatchSamples.pictures().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.pictures().get(1))));
         lines.add(JsonLines.write(BatchSamples.measures().get(0)));
+        lines.add(JsonLines.write(BatchSamples.drives().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.measures().get(1))));
         lines.add(JsonLines.write(BatchSamples.world().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.world().get(1))));

@@ -149,7 +149,8 @@ class RayPatternTest {
                 .isNotEqualTo(options.withThreads(2))
                 .isNotEqualTo(options.withCarrier(SenseOptions.Carrier.SEEN))
                 .hasToString(
-                        "SenseOptions[min=0.0, max=5.0, width=3.0, carrier=IGNORED, threads=1, motion=null, seesHeights=false]");
+                        "SenseOptions[min=0.0, max=5.0, width=3.0, carrier=IGNORED, threads=1, motion=null, seesHeights=false,"
+                                + " ignored=[]]");
     }
 
     @Test

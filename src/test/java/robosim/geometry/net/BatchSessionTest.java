@@ -1,12 +1,14 @@
 package robosim.geometry.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Avoidance;
@@ -155,6 +157,33 @@ class BatchSessionTest {
         if (!request.seesCarrier()) { // a sensor within its carrier sees nothing else
             assertThat(echoes).isBetween(pattern.size() / 30, pattern.size() * 99 / 100);
         }
+    }
+
+    /** Objects that a sensor or a measurement leaves out, by name and by layer. */
+    @Test
+    void whatIsIgnored() {
+        List<GeometryObject> scene = new ArrayList<>(scene(new SplittableRandom(7)));
+        for (int k = 0; k < 60; k++) {
+            scene.set(k, k % 3 == 0 ? scene.get(k).withLayers(Set.of("glass")) : scene.get(k));
+        }
+        session.reply(new InitBundle(scene, new WorldSettings(40, 20, 40, Dimension.SPATIAL, Accuracy.EXACT)));
+        Geometry less = new Geometry(40, 20, 40);
+        scene.stream().filter(each -> each.layers().isEmpty()).forEach(less::addObjectUnchecked);
+        SenseRequest plain = new SenseRequest("robot", new BeamPattern.Fan(0, 0.02, 314));
+        SenseAnswer all = (SenseAnswer) ask(plain).get(0);
+        SenseAnswer some = (SenseAnswer) ask(plain.ignoring(List.of("glass"))).get(0);
+        SenseBuffer seen = new SenseBuffer();
+        less.sense(
+                "robot",
+                Pose.ORIGIN,
+                RayPattern.fan(0, Degrees.toDegrees(0.02), 314),
+                SenseOptions.range(0, INFINITY),
+                seen);
+        assertThat(some.distances())
+                .isEqualTo(new Numbers(seen.distances().clone()))
+                .isNotEqualTo(all.distances());
+        assertThat(ask(plain.ignoring(List.of("fog"))).get(0)).isInstanceOf(NoAnswer.class);
+        assertThatIllegalArgumentException().isThrownBy(() -> plain.ignoring(List.of("glass", "glass")));
     }
 
     /** Objects, labels and a scan from a moving robot, as the geometry has them. */

@@ -22,6 +22,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -278,6 +279,37 @@ class WorldRequestsTest extends SessionOfObjects {
                 (BatchAnswerBundle) Objects.requireNonNull(session.answer(new InitBundle.Answered(init)));
         assertThat(told.answers()).isEqualTo(ask(new WorldRequest.Describe()));
         assertThat(((WorldAnswer.Described) told.answers().get(0)).leftOut()).hasSize(1);
+    }
+
+    /** The same motions that turn while they translate, all or nothing and up to a clearance. */
+    @Test
+    void drivesAreThoseOfGeometry() {
+        SplittableRandom random = new SplittableRandom(29);
+        session.reply(new InitBundle(List.of(WALL, POST, ROBOT), SPATIAL));
+        Geometry world = new Geometry(20, 6, 20);
+        List.of(WALL, POST, ROBOT).forEach(world::addObjectUnchecked);
+        int made = 0;
+        for (int k = 0; k < 200; k++) {
+            double ry = random.nextDouble(-2, 2);
+            double seconds = random.nextDouble(4);
+            Twist twist = new Twist(random.nextDouble(-1, 4), 0, 0.2 * random.nextDouble(), Degrees.toDegrees(ry));
+            Double clearance = k % 2 == 0 ? null : 0.02;
+            MoveResult truth = clearance == null
+                    ? world.move("robot", twist, seconds)
+                    : world.moveToContact("robot", twist, seconds, clearance);
+            WorldAnswer.Identified answer = (WorldAnswer.Identified)
+                    ask(new WorldRequest.Drive("robot", twist.x(), 0, twist.z(), ry, seconds, clearance))
+                            .get(0);
+            WorldAnswer.Went went = (WorldAnswer.Went) answer.answer();
+            assertThat(went.made()).isEqualTo(truth.allowed());
+            assertThat(went.fraction()).isEqualTo(truth.fraction());
+            assertThat(went.turnFraction()).isEqualTo(truth.turnFraction());
+            assertThat(went.contact()).isEqualTo(truth.contact());
+            assertThat(Objects.requireNonNull(session.world()).getObject("robot"))
+                    .isEqualTo(world.getObject("robot"));
+            made += went.made() ? 1 : 0;
+        }
+        assertThat(made).isBetween(20, 180);
     }
 
     /** The same moves to a contact, and along it, in a world of our own. */

@@ -93,6 +93,22 @@ class BatchMessageTest {
         assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
     }
 
+    @Test
+    void drivesAndLayersComeBackAsTheyWere() throws IOException {
+        List<Bundle> drives = BatchSamples.drives();
+        assertThat(MessageTest.readAll(MessageTest.write(drives.toArray(Bundle[]::new))))
+                .isEqualTo(drives);
+        assertThat(JsonLines.readRequest(JsonLines.write(drives.get(0)))).isEqualTo(drives.get(0));
+        assertThat(JsonLines.readRequest(JsonLines.write(drives.get(2)))).isEqualTo(drives.get(2));
+        Reply answers = new Reply(drives.get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
+        assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, -1, null)).hasMessageContaining("seconds");
+        assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, Double.NaN, 1, null))
+                .hasMessageContaining("ry");
+        assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, 1, -0.5))
+                .hasMessageContaining("clearance");
+    }
+
     /** What a request refuses when it is made cannot be read either. */
     @Test
     void measuresThatAreWrongAreRefused() {

@@ -1,6 +1,7 @@
 package robosim.geometry.protocol;
 
 import java.util.List;
+import java.util.Set;
 import robosim.geometry.material.Color;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -148,6 +149,23 @@ public final class BatchSamples {
                 new BatchAnswerBundle(List.of(
                         new MeasureRequest.Answer(Numbers.of(-0.5, INFINITY)),
                         new MeasureRequest.Answer(Numbers.NONE))));
+    }
+
+    /** Motions that turn while they translate, and what sensors ignore. */
+    public static List<Bundle> drives() {
+        WorldAnswer.Went went = new WorldAnswer.Went(false, 0.5, 0.5, "", new Point(1, 2, 3), new Point(-1, 0, 0));
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new WorldRequest.Drive("robot", 1, -0.0, 2, -0.5, 3, null),
+                        new WorldRequest.Drive("\u00e9", 1, 0, 0x1p100, Math.PI, 1e-300, 0.25),
+                        new SenseRequest("robot", new BeamPattern.Fan(0, 1, 4)).ignoring(List.of("glass", "b \u00e9")))),
+                new BatchAnswerBundle(List.of(
+                        new WorldAnswer.Identified(WorldAnswer.Went.MADE, List.of()),
+                        new WorldAnswer.Identified(
+                                went, List.of(new Obstacle(2, "", GeometryObject.Kind.BOX, new Point(1, 0, 0)))))),
+                new InitBundle(List.of(
+                        new BoxObject(new Point(1, 2, 3), 1, 1, 1).withLayers(Set.of("glass", "\u00e9")),
+                        new SphereObject(new Point(4, 0, 0), 1).moveable("robot").withLayers(Set.of("robots")))));
     }
 
     /** Requests about the world's objects, and answers to them; what came after the frames. */

@@ -94,7 +94,7 @@ class SerialClassesTest {
                         .isTrue();
             }
         }
-        assertThat(crossing).isEqualTo(98);
+        assertThat(crossing).isEqualTo(100);
     }
 
     /** An object under its own class's name, as no writer makes it. */
@@ -122,6 +122,7 @@ class SerialClassesTest {
     void theStoredBytesHoldEveryClass() throws Exception {
         String stored = new String(StoredBytesTest.stored(StoredBytesTest.WITH_MATERIALS), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored(StoredBytesTest.WITH_VISUALS), StandardCharsets.ISO_8859_1)
+                + new String(StoredBytesTest.stored(StoredBytesTest.WITH_LAYERS), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("batches.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("frames.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("pictures.ser"), StandardCharsets.ISO_8859_1)

@@ -24,6 +24,7 @@ class StoredBytesTest {
     private static final String WITH_GRIDS = "with-grids.ser";
     static final String WITH_MATERIALS = "with-materials.ser";
     static final String WITH_VISUALS = "with-visuals.ser";
+    static final String WITH_LAYERS = "with-layers.ser";
 
     @Test
     void theFirstReleasesBytesMeanWhatTheyMeant() throws IOException {
@@ -50,6 +51,11 @@ class StoredBytesTest {
     @Test
     void bytesWithCopiesAndVisualsMeanWhatTheyMeant() throws IOException {
         assertThat(MessageTest.readAll(stored(WITH_VISUALS))).isEqualTo(withVisuals());
+    }
+
+    @Test
+    void bytesWithDrivesAndLayersMeanWhatTheyMeant() throws IOException {
+        assertThat(MessageTest.readAll(stored(WITH_LAYERS))).isEqualTo(BatchSamples.drives());
     }
 
     /** Requests about copies of a world, and an object that is seen as another one. */
@@ -80,8 +86,8 @@ class StoredBytesTest {
         private Write() {}
 
         public static void main(String[] args) throws IOException {
-            byte[] bytes = MessageTest.write(withVisuals().toArray(Bundle[]::new));
-            Files.write(Path.of(args[0], WITH_VISUALS), bytes);
+            byte[] bytes = MessageTest.write(BatchSamples.drives().toArray(Bundle[]::new));
+            Files.write(Path.of(args[0], WITH_LAYERS), bytes);
         }
     }
 }

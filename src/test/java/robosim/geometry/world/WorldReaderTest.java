@@ -3,6 +3,7 @@ package robosim.geometry.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -53,6 +54,23 @@ class WorldReaderTest {
         WorldException refusal = catchThrowableOfType(WorldException.class, () -> read(xml));
         assertThat(refusal).as("refusal of %s", xml).isNotNull();
         return refusal;
+    }
+
+    @Test
+    void readsHulls(@TempDir Path folder) throws WorldException, IOException {
+        String points = "0 0 0  2 0 0  0 2 0  0 0 2  0.5 0.5 0.5";
+        MeshObject hull =
+                (MeshObject) object("<mesh hull='true' name='a' center='1 2 3'><bounds><sphere radius='9'/></bounds>"
+                        + "<vertices>" + points + "</vertices></mesh>");
+        assertThat(hull.isSolid()).isTrue();
+        assertThat(hull.faces()).hasDimensions(4, 3);
+        assertThat(hull.boundingVolume()).isEqualTo(new SphereObject(new Point(0, 0, 0), 9));
+        assertThat(hull.center()).isEqualTo(new Point(1, 2, 3));
+        Files.writeString(folder.resolve("open.obj"), "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 2 3\nf 1 2 4\n");
+        String xml = OPEN + "><mesh hull='true' file='open.obj' scale='0.5'/></world>";
+        MeshObject read = (MeshObject) read(xml, folder).objects().get(0).object();
+        assertThat(read.isSolid()).isTrue();
+        assertThat(read.bounds().maxX()).isCloseTo(1, within(1e-9));
     }
 
     @Test
@@ -168,8 +186,12 @@ class WorldReaderTest {
                 "<group><sphere radius='2' colour='#ffffff'/></group>|2|45|<sphere> has no attribute colour",
                 "hello|2|14|<world> cannot contain text",
                 "<sphere radius='1'>~~hello</sphere>|3|15|<sphere> cannot contain text",
-                "<mesh/>|2|8|a mesh must have vertices with triangles or quads, or a file (got: neither)",
-                "<mesh><vertices>0 0 0</vertices></mesh>|2|40|<mesh> is not complete; add <triangles>, <quads>",
+                "<mesh/>|2|8|a mesh must have vertices with triangles or quads, vertices with hull=\"true\", or a file (got: neither)",
+                "<mesh><vertices>0 0 0</vertices></mesh>|2|7|or a file (got: vertices alone)",
+                "<mesh hull='true'/>|2|20|or a file (got: neither)",
+                "<mesh hull='true'><vertices>0 0 0</vertices><quads>0 0 0 0</quads></mesh>|2|19|must have vertices alone; remove",
+                "<mesh hull='true' scale='2'><vertices>0 0 0</vertices></mesh>|2|29|scale applies only to a mesh from a file",
+                "<sphere layers='' radius='1'/>|2|31|layers of <sphere> must be names without spaces, separated",
                 "<mesh><vertices>0 0~~ 0 1,5 0 0</vertices><triangles>0 1 2</triangles></mesh>|3|7|(got: 1,5)",
                 "<mesh><vertices>0 0~~ 0 1</vertices><triangles>0 1 2</triangles></mesh>|2|17|"
                         + "x y z of each vertex are needed (got: 4 numbers)",

@@ -7,6 +7,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -656,12 +657,30 @@ public final class ObjectRegistry {
                     + root + "\": use that, or detach it (got: \"" + name + "\")");
         }
         if (id < 0) {
-            List<String> near = NearNames.of(name, this::names);
-            throw new IllegalArgumentException("name must be that of an object in the world"
-                    + (near.isEmpty() ? "" : ", perhaps \"" + String.join("\", \"", near) + "\"") + " (got: \""
-                    + name + "\")");
+            throw unknown("name must be that of an object", name);
         }
         return id;
+    }
+
+    /** Leaves out the objects of some names, and of layers of some names, until {@code objects.ignored.clear()}. */
+    public void ignore(Set<String> names) {
+        objects.ignored.clear();
+        for (String name : names) {
+            int id = objects.find(name);
+            if (id >= 0) {
+                objects.ignored.add(id);
+            } else if (!objects.ignored.addLayer(name)) {
+                objects.ignored.clear();
+                throw unknown("ignored must name an object or a layer", name);
+            }
+        }
+    }
+
+    private IllegalArgumentException unknown(String rule, String name) {
+        List<String> near = NearNames.of(name, this::names);
+        return new IllegalArgumentException(
+                rule + " in the world" + (near.isEmpty() ? "" : ", perhaps \"" + String.join("\", \"", near) + "\"")
+                        + " (got: \"" + name + "\")");
     }
 
     private Iterator<String> names() {

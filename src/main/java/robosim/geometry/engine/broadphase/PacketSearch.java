@@ -214,6 +214,9 @@ public final class PacketSearch {
     }
 
     private void hit(AccuracyView view, LeafTable table, int id) {
+        if (objects.ignored.has(id)) {
+            return;
+        }
         visited++;
         if (dimension == Dimension.PLANAR) {
             hitInPlane(table, id);

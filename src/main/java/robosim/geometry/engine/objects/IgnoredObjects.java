@@ -1,12 +1,26 @@
 package robosim.geometry.engine.objects;
 
 import java.util.BitSet;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** The objects that do not count for the current query; mostly none. */
 public final class IgnoredObjects {
+    private final ObjectTable objects;
     private final BitSet own = new BitSet();
     private final BitSet shared = new BitSet();
     private boolean isEmpty = true;
+
+    /** The ids of the objects in each layer; null until a layer is first looked up. */
+    private @Nullable Map<String, int[]> layers;
+
+    /** The number of changes of the table when the layers were listed. */
+    private long listed;
+
+    IgnoredObjects(ObjectTable objects) {
+        this.objects = objects;
+    }
 
     /** Whether every object counts. */
     public boolean isEmpty() {
@@ -19,6 +33,36 @@ public final class IgnoredObjects {
         (ObjectTable.isShared(id) ? shared : own).set(ObjectTable.local(id));
     }
 
+    /** Leaves out all objects of a layer; false if there are none. */
+    public boolean addLayer(String name) {
+        Map<String, int[]> known = layers;
+        if (known == null || listed != objects.changes()) {
+            known = list();
+            layers = known;
+            listed = objects.changes();
+        }
+        int[] members = known.get(name);
+        if (members == null) {
+            return false;
+        }
+        for (int id : members) {
+            add(id);
+        }
+        return true;
+    }
+
+    private Map<String, int[]> list() {
+        Map<String, BitSet> found = new HashMap<>();
+        objects.ids().forEach(id -> {
+            for (String layer : objects.value(id).layers()) {
+                found.computeIfAbsent(layer, name -> new BitSet()).set(id);
+            }
+        });
+        Map<String, int[]> lists = new HashMap<>();
+        found.forEach((layer, ids) -> lists.put(layer, ids.stream().toArray()));
+        return lists;
+    }
+
     /** Whether an object does not count. */
     public boolean has(int id) {
         return !isEmpty && (ObjectTable.isShared(id) ? shared : own).get(ObjectTable.local(id));
@@ -26,8 +70,10 @@ public final class IgnoredObjects {
 
     /** All objects count again. */
     public void clear() {
-        own.clear();
-        shared.clear();
-        isEmpty = true;
+        if (!isEmpty) {
+            own.clear();
+            shared.clear();
+            isEmpty = true;
+        }
     }
 }

@@ -60,7 +60,7 @@ public final class ObjectTable {
     private long changesOfStatics;
 
     /** What does not count for the current query. */
-    public final IgnoredObjects ignored = new IgnoredObjects();
+    public final IgnoredObjects ignored = new IgnoredObjects(this);
 
     public ObjectTable() {}
 
@@ -83,6 +83,7 @@ public final class ObjectTable {
 
     /** Removes all shared static objects from this world. */
     public void unshare() {
+        changes++;
         shared = null;
     }
 

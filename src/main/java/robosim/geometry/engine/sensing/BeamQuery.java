@@ -262,7 +262,8 @@ public final class BeamQuery extends BeamSearch {
     }
 
     private void take(double found, int id, int leaf) {
-        if (found < best || (found == best && hit >= 0 && objects.isEarlier(id, hit))) {
+        boolean isNearer = found < best || (found == best && hit >= 0 && objects.isEarlier(id, hit));
+        if (isNearer && !objects.ignored.has(id)) {
             best = found;
             hit = id;
             hitLeaf = leaf;

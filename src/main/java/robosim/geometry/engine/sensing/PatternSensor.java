@@ -92,6 +92,8 @@ public final class PatternSensor {
                     + (out.hasNormals() ? "normals" : "parts") + ", which cones have not (got: " + options.width()
                     + ")");
         }
+        registry.ignore(options.ignored()); // refuses names that are not there
+        objects.ignored.clear();
         reserve();
         frame.start(pattern, options);
         Dimension seen = view(pattern, options).dimension;
@@ -152,14 +154,19 @@ public final class PatternSensor {
         reserve();
         frame.start(pattern, options);
         tiling.cut(pattern, frame.isMoving());
-        for (int tile = from; tile < to; tile++) {
-            int count = tiling.take(pattern, tile, directions, beams);
-            frame.turn(pattern, count, directions, beams, times);
-            if (frame.isMoving()) {
-                answerMoving(view, count);
-            } else {
-                answer(view, 0, count);
+        registry.ignore(options.ignored());
+        try {
+            for (int tile = from; tile < to; tile++) {
+                int count = tiling.take(pattern, tile, directions, beams);
+                frame.turn(pattern, count, directions, beams, times);
+                if (frame.isMoving()) {
+                    answerMoving(view, count);
+                } else {
+                    answer(view, 0, count);
+                }
             }
+        } finally {
+            objects.ignored.clear();
         }
     }
 

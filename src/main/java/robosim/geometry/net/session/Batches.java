@@ -74,7 +74,8 @@ public final class Batches {
         double min = request.rep117() ? 0 : request.min();
         SenseOptions options = SenseOptions.range(min, request.max())
                 .withWidth(Degrees.toDegrees(request.width()))
-                .withCarrier(request.seesCarrier() ? SenseOptions.Carrier.SEEN : SenseOptions.Carrier.IGNORED);
+                .withCarrier(request.seesCarrier() ? SenseOptions.Carrier.SEEN : SenseOptions.Carrier.IGNORED)
+                .ignoring(request.ignored().toArray(String[]::new));
         ScanMotion motion = request.motion();
         if (!motion.equals(ScanMotion.NONE)) {
             options = options.withMotion(motion.twist(Degrees.toDegrees(motion.ry())));

@@ -19,6 +19,7 @@ import robosim.geometry.model.Move;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.batch.ListedObject;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
@@ -147,6 +148,9 @@ public final class WorldRequests {
             Move move = move(go.x(), go.y(), go.z(), go.rx(), go.ry());
             return identified(world.moveToContact(go.objectName(), move, go.clearance()));
         }
+        if (request instanceof WorldRequest.Drive drive) {
+            return identified(drive(world, drive));
+        }
         if (request instanceof WorldRequest.Separate free) {
             Point displacement = world.separate(free.objectName(), free.max());
             return displacement == null
@@ -270,6 +274,14 @@ public final class WorldRequests {
         MoveResult result = world.move(go.objectName(), move(go.x(), go.y(), go.z(), go.rx(), go.ry()));
         watcher.tried(go, result);
         return result;
+    }
+
+    private static MoveResult drive(Geometry world, WorldRequest.Drive drive) {
+        Twist twist = new Twist(drive.x(), drive.y(), drive.z(), Degrees.toDegrees(drive.ry()));
+        Double clearance = drive.clearance();
+        return clearance == null
+                ? world.move(drive.objectName(), twist, drive.seconds())
+                : world.moveToContact(drive.objectName(), twist, drive.seconds(), clearance);
     }
 
     private static Move move(double x, double y, double z, double rx, double ry) {

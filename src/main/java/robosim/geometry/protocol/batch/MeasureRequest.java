@@ -16,7 +16,7 @@ import robosim.geometry.check.Checks;
  *                   second, and seconds
  * @param max        range of clearances, world units; may be infinite. Not used for motions
  * @param margin     world units that motions keep from everything; at least 0. Not used for clearances
- * @param ignored    names of objects that do not count
+ * @param ignored    names of objects that do not count, or of layers of which none does
  */
 public record MeasureRequest(
         String objectName, Question question, Numbers numbers, double max, double margin, List<String> ignored)
@@ -58,10 +58,16 @@ public record MeasureRequest(
         }
         Checks.range(0, max);
         margin = Checks.clearance(margin);
-        ignored = Checks.copy("ignored", ignored, String.class);
-        if (new HashSet<>(ignored).size() < ignored.size()) {
-            throw new IllegalArgumentException("ignored must have each name once (got: " + ignored + ")");
+        ignored = names(ignored);
+    }
+
+    /** A checked copy of a list of names to be ignored, each of which comes once. */
+    static List<String> names(List<String> ignored) {
+        List<String> names = Checks.copy("ignored", ignored, String.class);
+        if (new HashSet<>(names).size() < names.size()) {
+            throw new IllegalArgumentException("ignored must have each name once (got: " + names + ")");
         }
+        return names;
     }
 
     private static void checkDrives(Numbers drives) {

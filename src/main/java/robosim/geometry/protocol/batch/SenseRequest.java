@@ -1,6 +1,7 @@
 package robosim.geometry.protocol.batch;
 
 import java.io.Serial;
+import java.util.List;
 import robosim.geometry.check.Checks;
 
 /**
@@ -18,6 +19,7 @@ import robosim.geometry.check.Checks;
  * @param objects     whether the answer has the objects that are seen too, and the labels of their materials, for rays only
  * @param motion      how the object moves meanwhile; null stands for {@link ScanMotion#NONE}
  * @param rep117      whether an echo nearer than {@code min} is reported as {@code -Infinity}, as REP 117 of ROS has it
+ * @param ignored     names of objects that do not echo, or of layers of which none does; null stands for none
  */
 public record SenseRequest(
         String objectName,
@@ -30,7 +32,8 @@ public record SenseRequest(
         boolean normals,
         boolean objects,
         ScanMotion motion,
-        boolean rep117)
+        boolean rep117,
+        List<String> ignored)
         implements BatchRequest {
     @Serial
     private static final long serialVersionUID = 1;
@@ -38,6 +41,7 @@ public record SenseRequest(
     /** Refuses null, numbers that are NaN or out of range, and normals or objects for beams that are not rays. */
     public SenseRequest {
         motion = motion == null ? ScanMotion.NONE : motion; // as in messages of before
+        ignored = MeasureRequest.names(ignored == null ? List.of() : ignored);
         Checks.present("objectName", objectName);
         Checks.present("mount", mount);
         Checks.present("pattern", pattern);
@@ -72,7 +76,7 @@ public record SenseRequest(
             boolean normals,
             boolean objects,
             ScanMotion motion) {
-        this(objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, false);
+        this(objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, false, List.of());
     }
 
     /** Distances and, where they are asked for, normals, from a sensor at rest. */
@@ -96,7 +100,13 @@ public record SenseRequest(
     /** The same, which reports an echo nearer than its blind range as {@code -Infinity}. */
     public SenseRequest asRep117() {
         return new SenseRequest(
-                objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, true);
+                objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, true, ignored);
+    }
+
+    /** The same without some objects, or all of some layers. */
+    public SenseRequest ignoring(List<String> names) {
+        return new SenseRequest(
+                objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, rep117, names);
     }
 
     /** Whether an object carries the sensor. */

@@ -219,8 +219,8 @@ public sealed interface WorldAnswer extends BatchAnswer {
     /**
      * An answer that says which objects are in the way.
      *
-     * @param answer    a {@link Changed} or a {@link Went}; of a {@link WorldRequest.GoToContact} the shares that were made,
-     *                  with a contact in the gap that is left
+     * @param answer    a {@link Changed} or a {@link Went}; of a {@link WorldRequest.GoToContact} or a {@link WorldRequest.Drive}
+     *                  with a clearance the shares that were made, with a contact in the gap that is left
      * @param obstacles empty if none is, or the world's border; of a move the one that blocks, of a place or an addition
      *                  all that are touched there, at most {@link #MOST_OBSTACLES}, in the order in which they were added
      */
@@ -258,7 +258,8 @@ public sealed interface WorldAnswer extends BatchAnswer {
         public boolean fits(BatchRequest request) {
             return Checks.present("request", request) instanceof WorldRequest.Identify asked
                     ? answer.fits(asked.request())
-                    : answer instanceof Went && request instanceof WorldRequest.GoToContact;
+                    : answer instanceof Went
+                            && (request instanceof WorldRequest.GoToContact || request instanceof WorldRequest.Drive);
         }
     }
 

@@ -298,6 +298,49 @@ public sealed interface WorldRequest extends BatchRequest {
     }
 
     /**
+     * A motion that turns while it translates: a velocity that stays constant in the object's own frame, for a time. Answered by
+     * a {@link WorldAnswer.Identified}.
+     *
+     * @param objectName the name of a moveable object
+     * @param x          world units a second forward
+     * @param y          world units a second up
+     * @param z          world units a second to the right
+     * @param ry         <b>radians</b> a second about its own Y, counter-clockwise seen from above
+     * @param seconds    at least 0
+     * @param clearance  world units that it stops short of what blocks it, at least 0; null if it is all or nothing
+     */
+    record Drive(
+            String objectName,
+            double x,
+            double y,
+            double z,
+            double ry,
+            double seconds,
+            @Nullable Double clearance) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, and numbers that are NaN or out of range. */
+        public Drive {
+            checkMove(objectName, x, y, z, 0, ry);
+            Checks.size("seconds", seconds);
+            if (clearance != null) {
+                Checks.size("clearance", clearance);
+            }
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return true;
+        }
+
+        @Override
+        public long answerBytes() {
+            return Obstacle.BYTES;
+        }
+    }
+
+    /**
      * A move that goes on along what blocks it. Answered by a {@link WorldAnswer.Slid}.
      *
      * @param objectName the name of a moveable object

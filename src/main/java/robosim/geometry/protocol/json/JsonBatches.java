@@ -64,6 +64,7 @@ final class JsonBatches {
             .omitting(false, "seesCarrier normals objects rep117")
             .form("motion", JsonObject.of(ScanMotion.class).optional(0.0, "x y z ry~"))
             .omitting(ScanMotion.NONE, "motion")
+            .omitting(List.of(), "ignored")
             .last("motion");
 
     private static final JsonKinds<SenseRequest> SENSOR = JsonKinds.tagged("", JsonKinds.kind("sense", SENSE));
@@ -138,6 +139,12 @@ final class JsonBatches {
             JsonKinds.kind(
                     "moveToContact",
                     JsonObject.of(WorldRequest.GoToContact.class).optional(0.0, MOVE + " clearance")),
+            JsonKinds.kind(
+                    "drive",
+                    JsonObject.of(WorldRequest.Drive.class)
+                            .optional(0.0, "x y z ry~")
+                            .form("clearance", JsonForm.NUMBER)
+                            .omitting(null, "clearance")),
             JsonKinds.kind("moveAndSlide", SLIDE),
             JsonKinds.kind(
                     "list",

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -73,7 +74,8 @@ final class JsonShapes {
             .form("heading", JsonForm.HEADING)
             .omitting(null, "rotation headingDegrees heading")
             .form("material", MATERIAL)
-            .omitting(Material.DEFAULT, "material");
+            .omitting(Material.DEFAULT, "material")
+            .omitting(List.of(), "layers");
 
     /** Of what has a frame of its own, which is at the origin unless a centre is given. */
     private static final JsonObject<Placed> IN_FRAME = PLACED.optional(new Point(), "center");
@@ -204,13 +206,17 @@ final class JsonShapes {
             double @Nullable [] rotation,
             double @Nullable [] headingDegrees,
             @Nullable Double heading,
-            Material material) {
+            Material material,
+            List<String> layers) {
         private static final double[] FORWARD = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
         Placed {
             if (heading != null && rotation != null) {
                 throw new IllegalArgumentException(
                         "heading and rotation must not both be given; a heading is for what stands upright (got: both)");
+            }
+            if (new HashSet<>(layers).size() < layers.size()) {
+                throw new IllegalArgumentException("layers must have each name once (got: " + layers + ")");
             }
             if (headingDegrees != null && rotation == null) {
                 throw new IllegalArgumentException(
@@ -232,11 +238,12 @@ final class JsonShapes {
                     isForward ? null : rotation,
                     isForward || isPlain ? null : new double[] {pose.heading(), pose.lostHeading()},
                     null,
-                    object.material());
+                    object.material(),
+                    object.layers().stream().sorted().toList());
         }
 
         GeometryObject put(GeometryObject shape) {
-            GeometryObject placed = shape.at(pose()).withMaterial(material);
+            GeometryObject placed = shape.at(pose()).withMaterial(material).withLayers(new HashSet<>(layers));
             if (name == null && moveable) {
                 throw new IllegalArgumentException("name must be given for a moveable object (got: none)");
             }

@@ -89,7 +89,8 @@ class JsonSchemaTest {
             "beams together",
             "slidingFriction must be at most",
             "must be left out for a drive",
-            "maxTurn of a car");
+            "maxTurn of a car",
+            "keeps no sessions");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -162,6 +163,8 @@ class JsonSchemaTest {
         lines.add(JsonLines.write(BatchSamples.walks()));
         lines.add(JsonLines.write(BatchSamples.attachments()));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
+        lines.add(JsonLines.write(BatchSamples.drives().get(0)));
+        lines.add(JsonLines.write(BatchSamples.drives().get(2)));
         lines.add(JsonLines.write(BatchSamples.rules().get(2)));
         lines.add(JsonLines.write(StepSamples.later().get(0)));
         lines.add(JsonLines.write(
@@ -196,6 +199,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(StepSamples.landing())),
                 JsonLines.write(new Reply(BatchSamples.rules().get(1))),
+                JsonLines.write(new Reply(BatchSamples.drives().get(1))),
                 JsonLines.write(new Reply(StepSamples.later().get(1))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(
@@ -372,6 +376,8 @@ class JsonSchemaTest {
             "obstacles",
             "identify",
             "clearance",
+            "layers",
+            "ignored",
             "bends",
             "contacts",
             "done",
