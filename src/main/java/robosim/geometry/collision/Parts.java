@@ -60,7 +60,7 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
         int[] cells = new int[16];
         walk.startBox(grid, 0, box);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            int part = leaves.appendWhole(walk.piece(cell, grid.kind(0)), 0, 1);
+            int part = leaves.appendWhole(walk.piece(cell), 0, 1);
             if (part == cells.length) {
                 cells = Arrays.copyOf(cells, 2 * part);
             }
