@@ -77,7 +77,7 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
             leaves.bounds(0, box);
             GridWalk walk = new GridWalk(new WorkCounter());
             walk.startBox(leaves, 0, box);
-            return new Leaf().set(walk.piece(part.part(), leaves.kind(0)), 0);
+            return new Leaf().set(walk.piece(part.part()), 0);
         }
         if (part.part() < 0 || part.part() >= leaves.size()) {
             throw new IllegalArgumentException(
