@@ -37,8 +37,13 @@ public final class Rooms {
     private final SplittableRandom random = new SplittableRandom(7);
     private int steps;
 
-    /** The scene at its beginning. */
+    /** The scene at its beginning, half of whose robots are round. */
     public Rooms() throws Exception {
+        this(false);
+    }
+
+    /** The same, or all robots are boxes and there are no crates. */
+    Rooms(boolean areBoxes) throws Exception {
         world = new Geometry(40, 3.2, 30, Dimension.PLANAR, Accuracy.EXACT);
         for (WorldObject each : WorldReader.read(Path.of("worlds", "rooms.xml")).objects()) {
             if (!each.object().isMoveable()) {
@@ -48,13 +53,13 @@ public final class Rooms {
         dynamics = new Dynamics(world, new Surface(0.2, 0.3, 0.2));
         Surface surface = new Surface(0.2, 0.3, 0.2);
         while (robots.size() < ROBOTS) {
-            GeometryObject robot = add("robot" + robots.size(), robots.size() % 2 == 0);
+            GeometryObject robot = add("robot" + robots.size(), !areBoxes && robots.size() % 2 == 0);
             if (robot != null) {
                 robots.add(robot.name());
                 dynamics.add(robot.name(), Body.ofMass(robot, 30).withSurface(surface));
             }
         }
-        for (int crate = 0; crate < CRATES; ) {
+        for (int crate = 0; !areBoxes && crate < CRATES; ) {
             GeometryObject box = add("crate" + crate, false);
             if (box != null) {
                 dynamics.add(
