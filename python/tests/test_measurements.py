@@ -57,6 +57,26 @@ class Measurements(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"only a fan and layers have angles \(got: pinhole\)"):
             self.world.frame("robot <1>", 4, 3, 1.0).angles
 
+    def test_layers_are_left_out_and_motions_turn_while_they_translate(self):
+        with robosim.launch([box([2, 0, 0], 0.2, 2, 4, name="pane", layers=["glass"]), *ROOM]) as world:
+            scan = {"first": 0.0, "step": 0.1, "count": 1}
+            self.assertAlmostEqual(world.scan("robot <1>", **scan)[0], 1.9, 12)
+            self.assertAlmostEqual(world.scan("robot <1>", **scan, ignored=["glass"])[0], 2.9, 12)
+            self.assertAlmostEqual(world.clearances("robot <1>", [0, 0, 0, 0], ignored=["glass"])[0], 2.65, 12)
+            with self.assertRaisesRegex(robosim.RequestError, "ignored must name an object or a layer"):
+                world.scan("robot <1>", **scan, ignored=["fog"])
+            arc = world.drive_for("robot <1>", 2, x=0.5, ry=math.pi / 4)
+            self.assertEqual((arc.made, arc.fraction), (True, 1.0))
+            pose = world.pose("robot <1>")
+            radius = 0.5 / (math.pi / 4)
+            self.assertAlmostEqual(pose.heading, math.pi / 2, 12)
+            self.assertAlmostEqual(pose.center[0], radius, 12)
+            self.assertAlmostEqual(pose.center[2], -radius, 12)
+            world.place("robot <1>", [0, 0, 0], heading=0)
+            straight = world.drive_for("robot <1>", 3, x=1, clearance=0.05)
+            self.assertEqual((straight.made, straight.obstacle), (False, "pane"))
+            self.assertAlmostEqual(straight.fraction * 3, 1.6, 9)
+
     @unittest.skipUnless(numpy, "NumPy is not installed")
     def test_numpy_takes_them_in_their_shapes(self):
         frame = self.world.frame("robot <1>", 8, 6, 1.0, normals=True)

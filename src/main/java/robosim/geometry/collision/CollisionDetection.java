@@ -5,10 +5,8 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
-import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
-import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -80,15 +78,6 @@ public final class CollisionDetection {
         if (ray == null || object == null) {
             throw new IllegalArgumentException((ray == null ? "ray" : "object") + " must be given (got: null)");
         }
-        Point o = ray.start();
-        Point d = ray.direction();
-        Cast cast = new Cast(MEMORY.get().scratch);
-        cast.line(Dimension.SPATIAL, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
-        LeafColumn leaves = LocalLeaves.placed(object);
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int leaf = 0; leaf < leaves.size(); leaf++) {
-            nearest = Math.min(nearest, cast.distance(leaves, leaf, nearest));
-        }
-        return nearest;
+        return ContactQuery.beamDistance(ray, 0, object);
     }
 }

@@ -56,6 +56,7 @@ public final class ContactQuery {
 
     private static final ThreadLocal<ContactQuery> MEMORY = ThreadLocal.withInitial(ContactQuery::new);
 
+    private final Scratch scratch = new Scratch();
     private final ContactPairs pairs;
     private final NearestPairs nearest;
     private final SignedPairs signed;
@@ -64,7 +65,6 @@ public final class ContactQuery {
     private final LeafColumn second = new LeafColumn(1);
 
     private ContactQuery() {
-        Scratch scratch = new Scratch();
         pairs = new ContactPairs(scratch.distance);
         nearest = new NearestPairs(scratch.overlap);
         signed = new SignedPairs(scratch.distance);
@@ -139,8 +139,9 @@ public final class ContactQuery {
     public static double beamDistance(Ray ray, double width, GeometryObject object) {
         Checks.present("ray", ray);
         Checks.width(width);
-        LeafColumn leaves = leaves(Checks.present("object", object), MEMORY.get().first);
-        Cast cast = new Cast(new Scratch());
+        ContactQuery query = MEMORY.get();
+        LeafColumn leaves = Parts.leaves(Checks.present("object", object), query.first);
+        Cast cast = new Cast(query.scratch);
         Point from = ray.start();
         Point to = ray.direction();
         cast.line(Dimension.SPATIAL, from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
