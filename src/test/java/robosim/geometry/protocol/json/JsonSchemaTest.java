@@ -89,7 +89,8 @@ class JsonSchemaTest {
             "beams together",
             "slidingFriction must be at most",
             "must be left out for a drive",
-            "maxTurn of a car");
+            "maxTurn of a car",
+            "keeps no sessions");
 
     private static final List<String> REQUESTS = List.of(
             "{\"type\":\"hello\",\"version\":1}",
@@ -178,6 +179,7 @@ class JsonSchemaTest {
                 "{\"type\":\"load\",\"file\":\"a\",\"files\":{\"a\":\"/wM=\"},\"named\":true,\"settings\":{\"width\":4}}");
         lines.add("{\"id\":-7,\"type\":\"moves\",\"moves\":[]}");
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
+        lines.add(JsonLines.write(StepSamples.pushing()));
         return lines;
     }
 
