@@ -47,8 +47,10 @@ GRAMMAR = {
     "quads": ([], [], []),
     "sonar": (["count"], ["first", "step", "min", "max", "width"], []),
     "body": ([], ["mass", "inertia", "restitution", "friction", "slidingFriction", "floorFriction", "damping",
-                  "turnDamping", "maxSpeed", "maxTurn"], ["drive"]),
-    "drive": (["kind"], ["base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration"], []),
+                  "turnDamping", "maxSpeed", "maxTurn", "drag", "rolling"], ["drive"]),
+    "drive": (["kind"], ["base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration", "wheels", "grip",
+                         "maxSteering", "stallTorque", "freeTurns", "stallCurrent", "gearRatio", "wheelRadius",
+                         "currentLimit", "supplyResistance"], []),
 }
 # What a static object may have of a body.
 SURFACE = ["restitution", "friction", "slidingFriction"]

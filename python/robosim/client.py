@@ -45,7 +45,7 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Op
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
     "pinhole", "directions", "sense", "picture", "poses", "edges", "measure", "pose", "place", "add", "remove", "go", "go_to_contact", "drive_for",
-    "go_and_slide", "separate", "attach", "detach", "mixing", "world", "listed", "named", "body", "drive_settings", "command", "Move", "Sonar", "Moves", "Went", "Slid",
+    "go_and_slide", "separate", "attach", "detach", "mixing", "world", "listed", "named", "body", "drive_settings", "swerve", "command", "push", "Move", "Sonar", "Moves", "Went", "Slid",
     "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
@@ -252,7 +252,7 @@ class Step(NamedTuple):
     bodies: Dict[str, Body]  # all that the world has, by their names
     contacts: List[Contact]
     stopped: List[str]  # whose motion could not be decided; they stand still
-    refused: Dict[int, str]  # why bodies, counted first, and commands were left out, by their index
+    refused: Dict[int, str]  # why bodies, counted first, commands and pushes were left out, by their index
     stops: List[Stop] = []  # why each body in `stopped` was; empty from a server that gives no reasons
 
     @property
@@ -484,10 +484,11 @@ def named(objects: Iterable[Json]) -> List[Json]:
 # as in docs/protocol.md, maxSpeed, or as max_speed.
 
 _BODY = ("mass", "inertia", "restitution", "staticFriction", "slidingFriction", "damping", "turnDamping", "maxSpeed",
-         "maxTurn", "floorFriction")
+         "maxTurn", "floorFriction", "drag", "rolling")
 _LIMITS = ("base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration")
 _DRIVES = {"DIFFERENTIAL": _LIMITS[:3], "OMNIDIRECTIONAL": _LIMITS[1:], "ACKERMANN": (*_LIMITS[:4], "centreAhead"),
-           "VELOCITY": (), "FORCE": ()}
+           "SWERVE": ("swerve",), "VELOCITY": (), "FORCE": (), "NONE": ()}
+_MOTOR = ("stallTorque", "freeTurns", "stallCurrent", "gearRatio", "wheelRadius", "currentLimit", "supplyResistance")
 
 
 def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
@@ -508,7 +509,7 @@ def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[
          **fields: float) -> Json:
     """A body for a moveable object: mass in kg and inertia in kg m^2, restitution, static_friction, sliding_friction and
     floor_friction without units, damping and turn_damping in shares a second, max_speed in m/s and max_turn in radians a
-    second; of a static object the surface alone. A drive is the name of its kind or of `drive_settings`; a velocity has x,
+    second, drag in kg/m and rolling (a share of the load); of a static object the surface alone. A drive is the name of its kind or of `drive_settings`; a velocity has x,
     y and z in m/s along the object's own axes, and ry in radians a second."""
     told = {"objectName": name, **_fields("a body", fields, _BODY)}
     if drive is not None:
@@ -520,7 +521,7 @@ def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[
 
 def drive_settings(kind: str, **limits: float) -> Json:
     """A drive: "differential", "omnidirectional", "ackermann" (a car, which turns about its rear axle, at the centre of
-    the object), "velocity" or "force"; with base in metres, max_speed in m/s, max_acceleration
+    the object), "velocity", "force" (for wheels at given places see `swerve`) or "none", which takes the drive from a body; with base in metres, max_speed in m/s, max_acceleration
     in m/s^2, max_turn in radians a second (of a car the radians of its front wheels to each side) and max_turn_acceleration
     in radians a second each second, as far as its kind has them; and of a car `centre_ahead`, metres from its rear axle
     forward to the object's centre."""
@@ -530,11 +531,34 @@ def drive_settings(kind: str, **limits: float) -> Json:
     return {"kind": word, **_fields(f"a drive of kind {word}", limits, _DRIVES[word])}
 
 
+def swerve(wheels: Iterable[Sequence[float]], grip: float = 1.0, max_steering: float = math.inf, **motor: float) -> Json:
+    """A drive of wheels at given places, each forward and to the right of the object's centre in metres, with the friction of
+    a wheel as `grip`. `max_steering` is in radians a second; 0 is for wheels that are not steered. A motor for each wheel has
+    stall_torque in newton metres and stall_current in amperes at 12 V, free_turns a minute, gear_ratio, wheel_radius in
+    metres, current_limit in amperes and supply_resistance in ohms times the number of motors; without one, friction alone
+    limits the wheels."""
+    told: Json = {"wheels": [[float(x), 0, float(z)] for x, z in wheels], "grip": grip}
+    if max_steering != math.inf:
+        told["maxSteering"] = max_steering
+    if motor:
+        told["motor"] = _fields("a motor", motor, _MOTOR)
+    return {"kind": "SWERVE", "swerve": told}
+
+
 def command(name: str, forward: float = 0.0, turn: float = 0.0, right: float = 0.0) -> Json:
     """What a robot is to do until it is told otherwise: `forward` in m/s, `turn` in radians (not degrees) a second to the
-    left, and `right` in m/s for a drive that is omnidirectional, velocity or force. Of a car `turn` is the angle of its
+    left, and `right` in m/s for a drive that is omnidirectional, swerve, velocity or force. Of a car `turn` is the angle of its
     front wheels in radians; of a force they are newtons and newton metres."""
     return {"objectName": name, "forward": forward, "right": right, "turnRadians": turn}
+
+
+def push(name: str, impulse: Optional[Vector] = None, force: Optional[Vector] = None, at: Optional[Vector] = None) -> Json:
+    """A push from outside, along the world's axes: an impulse in newton seconds before a step, and a force in newtons all
+    through it. Both act at a point of the world, or through the centre of the object."""
+    if impulse is None and force is None:
+        raise TypeError(f"a push must have an impulse or a force (got: neither, for {name})")
+    given = {"impulse": impulse, "force": force, "at": at}
+    return {"objectName": name, **{field: list(value) for field, value in given.items() if value is not None}}
 
 
 def mixing(restitution: str = "geometric_mean", friction: str = "geometric_mean") -> Json:
@@ -982,13 +1006,16 @@ class Module:
         return self._one(world(), self.ask(message, "answers")[0])
 
     def step(self, seconds: float, bodies: Iterable[Json] = (), commands: Iterable[Json] = (),
-             mixing: Optional[Json] = None) -> Step:
+             mixing: Optional[Json] = None, pushes: Iterable[Json] = ()) -> Step:
         """Gives bodies and commands, as `body` and `command` make them, and lets time pass. Robots keep their commands:
         `module.step(0.1)` goes on with them. A step of 0 seconds moves nothing, and tells where all bodies are. A `mixing`
-        holds for this step and all later ones of the world."""
+        holds for this step and all later ones of the world; pushes, as `push` makes them, act once."""
         message: Json = {"type": "step", "seconds": seconds, "bodies": list(bodies), "commands": list(commands)}
         if mixing is not None:
             message["mixing"] = mixing
+        pushed = list(pushes)
+        if pushed:
+            message["pushes"] = pushed
         for given in message["bodies"]:
             # The module would close the connection on a field that it does not know.
             rest = {field: value for field, value in given.items() if field not in ("objectName", "drive", "velocity")}

@@ -30,6 +30,12 @@ import robosim.geometry.model.Twist;
  * @param inertiaX    moment of inertia about the own X, where {@code inertia} is about the own Y, as in any SPATIAL world; 0 for
  *                    that of a solid of the object's shape which has {@code inertia} about the own Y
  * @param inertiaZ    the same about the own Z
+ * @param drag        quadratic drag, kg/m: a speed v meets a force of {@code drag * v * v}, as in the air; for a ball of radius r
+ *                    in air {@code 0.5 * 1.2 * 0.47 * pi * r * r}. What is driven on the ground has none. Linear drag is
+ *                    {@code damping}: a force of {@code mass * damping * v}
+ * @param rolling     rolling resistance, a share of the load: in a SPATIAL world a torque of {@code rolling} times load times the
+ *                    distance of the contact from the centre acts against rolling. In a PLANAR world, where nothing rolls, it adds to
+ *                    {@code floorFriction} and slows the turn as that does
  */
 public record Body(
         double mass,
@@ -41,7 +47,9 @@ public record Body(
         double maxTurn,
         double floorFriction,
         double inertiaX,
-        double inertiaZ) {
+        double inertiaZ,
+        double drag,
+        double rolling) {
     /** Standard gravity, m/s<sup>2</sup>: 9.80665. */
     public static final double GRAVITY = 9.80665;
 
@@ -57,12 +65,14 @@ public record Body(
         floorFriction = QuantityChecks.atLeastZero("floorFriction", floorFriction);
         inertiaX = QuantityChecks.atLeastZero("inertiaX", inertiaX);
         inertiaZ = QuantityChecks.atLeastZero("inertiaZ", inertiaZ);
+        drag = QuantityChecks.atLeastZero("drag", drag);
+        rolling = QuantityChecks.atLeastZero("rolling", rolling);
         if (inertiaX > 0 && inertiaZ > 0) {
             QuantityChecks.moments(inertiaX, inertia, inertiaZ);
         }
     }
 
-    /** A body of which one moment of inertia is given. */
+    /** A body without drag and rolling resistance. */
     public Body(
             double mass,
             double inertia,
@@ -71,25 +81,16 @@ public record Body(
             double turnDamping,
             double maxSpeed,
             double maxTurn,
-            double floorFriction) {
-        this(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, 0, 0);
-    }
-
-    /** A body on a floor without friction. */
-    public Body(
-            double mass,
-            double inertia,
-            Surface surface,
-            double damping,
-            double turnDamping,
-            double maxSpeed,
-            double maxTurn) {
-        this(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, 0);
+            double floorFriction,
+            double inertiaX,
+            double inertiaZ) {
+        this(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ, 0, 0);
     }
 
     /** A smooth body that nothing slows or limits. */
     public static Body of(double mass, double inertia) {
-        return new Body(mass, inertia, Surface.SMOOTH, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
+        double none = Double.POSITIVE_INFINITY;
+        return new Body(mass, inertia, Surface.SMOOTH, 0, 0, none, none, 0, 0, 0);
     }
 
     /**
@@ -145,23 +146,43 @@ public record Body(
 
     /** This body with another surface. */
     public Body withSurface(Surface other) {
-        return new Body(
-                mass, inertia, other, damping, turnDamping, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ);
+        return with(other, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
     }
 
     /** This body with other dampings: shares of the speed and of the speed of turning, each second. */
     public Body withDamping(double ofSpeed, double ofTurn) {
-        return new Body(mass, inertia, surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ);
+        return with(surface, ofSpeed, ofTurn, maxSpeed, maxTurn, floorFriction);
     }
 
     /** This body with other limits: m/s and degrees a second. */
     public Body withLimits(double speed, double turn) {
-        return new Body(mass, inertia, surface, damping, turnDamping, speed, turn, floorFriction, inertiaX, inertiaZ);
+        return with(surface, damping, turnDamping, speed, turn, floorFriction);
     }
 
     /** This body with friction on the floor: of a PLANAR world, or on whatever is below it in a SPATIAL one. */
     public Body withFloorFriction(double friction) {
-        return new Body(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, friction, inertiaX, inertiaZ);
+        return with(surface, damping, turnDamping, maxSpeed, maxTurn, friction);
+    }
+
+    private Body with(Surface by, double ofSpeed, double ofTurn, double speed, double turn, double friction) {
+        return new Body(mass, inertia, by, ofSpeed, ofTurn, speed, turn, friction, inertiaX, inertiaZ, drag, rolling);
+    }
+
+    /** This body with quadratic drag, kg/m, and rolling resistance, a share of the load. */
+    public Body withDrag(double quadratic, double ofRolling) {
+        return new Body(
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                inertiaX,
+                inertiaZ,
+                quadratic,
+                ofRolling);
     }
 
     /**
@@ -183,7 +204,9 @@ public record Body(
                 maxTurn,
                 floorFriction,
                 QuantityChecks.positive("aboutX", aboutX),
-                QuantityChecks.positive("aboutZ", aboutZ));
+                QuantityChecks.positive("aboutZ", aboutZ),
+                drag,
+                rolling);
     }
 
     /** The moments of a solid of a shape that has this body, about its own axes. */
@@ -209,17 +232,19 @@ public record Body(
 
     /** This body with one moment of inertia, about the vertical. */
     Body about(double vertical) {
-        return new Body(mass, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
+        return new Body(
+                mass, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, 0, 0, drag, rolling);
     }
 
     /** This body with the mass and the moment of inertia about the vertical of all that is attached to it. */
     Body with(double total, double vertical) {
-        return new Body(total, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction);
+        return new Body(
+                total, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, 0, 0, drag, rolling);
     }
 
     /** By how much the floor slows it, m/s<sup>2</sup>. */
     double slowing() {
-        return floorFriction * GRAVITY;
+        return (floorFriction + rolling) * GRAVITY;
     }
 
     /**

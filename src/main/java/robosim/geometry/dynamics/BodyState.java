@@ -1,8 +1,10 @@
 package robosim.geometry.dynamics;
 
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.objects.Attachments;
+import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Twist;
@@ -38,6 +40,9 @@ final class BodyState implements Cloneable {
     @Nullable
     Drive drive;
 
+    /** What the modules of a swerve drive are to do, while {@link #drive} has their present angles; null for other drives. */
+    private @Nullable SwerveDrive steered;
+
     // m/s along the world's axes, and radians a second.
     double vx;
     double vz;
@@ -71,6 +76,16 @@ final class BodyState implements Cloneable {
 
     private PushExtrapolation response = new PushExtrapolation();
 
+    /** A force and a torque, along and about the world's axes, that act in the next step: newtons and newton metres. */
+    private double[] push = new double[6];
+
+    private boolean isPushed;
+
+    // What a force in a PLANAR world gives in the rest of a time, where something was in the way.
+    private double restX;
+    private double restZ;
+    private double restTurn;
+
     /** In a SPATIAL world: m/s along the world's axes, then radians a second about them. */
     double[] spatial = new double[6];
 
@@ -79,6 +94,27 @@ final class BodyState implements Cloneable {
         this.body = body;
         acting = body;
         birth = birth(world);
+    }
+
+    /** Drives it from now on; the modules of a swerve drive turn from where they are. */
+    void drive(@Nullable Drive by) {
+        steered = by instanceof SwerveDrive swerve ? swerve : null;
+        boolean isTurning = by instanceof SwerveDrive && drive instanceof SwerveDrive;
+        drive = isTurning ? ((SwerveDrive) by).turnedFrom((SwerveDrive) drive, 0) : by;
+    }
+
+    /** Takes over what drives another body. */
+    void driveAs(BodyState other) {
+        drive = other.drive;
+        steered = other.steered;
+    }
+
+    /** Turns the modules of a swerve drive for a time. */
+    void steer(double seconds) {
+        SwerveDrive to = steered;
+        if (to != null && drive != to && drive instanceof SwerveDrive from) {
+            drive = to.turnedFrom(from, seconds);
+        }
     }
 
     /** Whether its object is still in the world, by itself or attached to another one. */
@@ -117,6 +153,7 @@ final class BodyState implements Cloneable {
         try {
             BodyState copy = (BodyState) clone();
             copy.spatial = spatial.clone();
+            copy.push = push.clone();
             copy.response = response.copy();
             return copy;
         } catch (CloneNotSupportedException e) {
@@ -171,16 +208,17 @@ final class BodyState implements Cloneable {
         double rest = places[at + 1];
         Drive driven = drive;
         if (driven instanceof ForceDrive force) {
-            beginForced(force, heading, rest, seconds);
+            beginForced(isPushed ? pushed(force, heading, rest) : force, heading, rest, seconds);
         } else if (driven != null) {
-            Twist now = velocity(heading, rest);
+            Twist now = pushed(heading, rest, seconds);
             aim = driven.next(now, acting, seconds);
             double spent = spent(driven, now, aim, seconds);
             left = seconds - spent;
             // What is pressed against something is not to lose the speed that it would have gained on the way.
             double gaining = isHindered ? 0 : Math.min(seconds, spent);
             // The mean: of a speed that is gained evenly that at half of its time, then what the drive aims at.
-            Twist gained = gaining > 0 ? driven.next(now, acting, 0.5 * gaining) : aim;
+            Twist halfway = isPushed ? pushed(heading, rest, 0.5 * gaining) : now;
+            Twist gained = gaining > 0 ? driven.next(halfway, acting, 0.5 * gaining) : aim;
             double share = gaining / seconds;
             toGo = 0.5 * gaining * share; // of the time in which it gains speed, what is not in the mean
             double turn = mean(gained.ry(), aim.ry(), share);
@@ -192,6 +230,8 @@ final class BodyState implements Cloneable {
                     0.5 * turn * seconds,
                     (mean(gained.x(), aim.x(), share) - (armZ == 0 ? 0 : turns * armZ)) * chord,
                     (mean(gained.z(), aim.z(), share) + (armX == 0 ? 0 : turns * armX)) * chord);
+        } else if (isPushed || acting.drag() > 0) {
+            beginPushed(heading, rest, seconds);
         } else {
             beginFree(seconds);
         }
@@ -216,6 +256,151 @@ final class BodyState implements Cloneable {
         turns = turn * (isHindered ? turnKept : Decay.mean(acting.turnDamping() * seconds));
         keptShare = isHindered ? 1 : Decay.rest(acting.damping() * seconds);
         keptTurnShare = isHindered ? 1 : Decay.rest(acting.turnDamping() * seconds);
+    }
+
+    /**
+     * The same under a force or quadratic drag: linear drag is solved exactly, and quadratic drag too where no force acts.
+     * Otherwise it is linear drag at the speed halfway. Under a force the floor is a part of it: what is pushed by less than
+     * its friction stands still.
+     */
+    private void beginPushed(double heading, double rest, double seconds) {
+        double speed = Math.sqrt(vx * vx + vz * vz);
+        double share = speed > acting.maxSpeed() ? acting.maxSpeed() / speed : 1;
+        double x = vx * share;
+        double z = vz * share;
+        double ax = push[0] / acting.mass();
+        double az = push[2] / acting.mass();
+        double linear = acting.damping() * seconds;
+        double quadratic = acting.drag() / acting.mass() * seconds;
+        double kept = Decay.kept(linear);
+        double mean = Decay.mean(linear);
+        if (ax == 0 && az == 0) {
+            double slowing = quadratic * speed * share * mean; // v' = -c v - k v^2, solved by substitution of 1/v
+            kept /= 1 + slowing;
+            mean *= slowing == 0 ? 1 : StrictMath.log1p(slowing) / slowing;
+        } else {
+            double midX = x + 0.5 * ax * seconds;
+            double midZ = z + 0.5 * az * seconds;
+            linear += quadratic * Math.sqrt(midX * midX + midZ * midZ);
+            kept = Decay.kept(linear);
+            mean = Decay.mean(linear);
+        }
+        double gain = seconds * Decay.mean(linear);
+        double meanGain = seconds * Decay.meanGain(linear);
+        floored(
+                new double[] {x, z, x * kept + ax * gain, z * kept + az * gain},
+                new double[] {x * mean + ax * meanGain, z * mean + az * meanGain},
+                isPushed ? acting.slowing() * seconds : 0);
+        double limit = acting.maxTurn();
+        double turn = limit < Double.POSITIVE_INFINITY ? QuantityChecks.clamp(w, Degrees.toRadians(limit)) : w;
+        double turnSlowed = acting.turnDamping() * seconds;
+        double alpha = torque(push, heading, rest) / acting.inertia();
+        double most = isPushed ? acting.spinSlowing() * seconds : 0;
+        double end = turn * Decay.kept(turnSlowed) + alpha * seconds * Decay.mean(turnSlowed);
+        keptTurn = QuantityChecks.toward(end, 0, most);
+        turns = turn * Decay.mean(turnSlowed) + alpha * seconds * Decay.meanGain(turnSlowed) - 0.5 * (end - keptTurn);
+        if (keptTurn == 0 && most > 0) {
+            turns = 0.5 * turn * Math.min(1, Math.abs(turn) / most);
+        }
+        if (isHindered) {
+            goesX = keptX;
+            goesZ = keptZ;
+            turns = keptTurn;
+        }
+        keptShare = isHindered ? 1 : kept / mean;
+        keptTurnShare = isHindered ? 1 : Decay.rest(turnSlowed);
+        restX = keptX - goesX;
+        restZ = keptZ - goesZ;
+        restTurn = keptTurn - turns;
+    }
+
+    /** Gives it an impulse at once: newton seconds along the world's axes, and those times metres about its own centre. */
+    void kick(double[] by, double[] places, int at) {
+        Body whole = isLoaded ? acting : body;
+        vx += by[0] / whole.mass();
+        vz += by[2] / whole.mass();
+        double inertia = isLoaded ? whole.inertia() : whole.aboutVertical(places, at + ObjectTable.ROTATION);
+        w += torque(by, places[at + ObjectTable.HEADING], places[at + ObjectTable.HEADING + 1]) / inertia;
+    }
+
+    /** The torque of a push about the centre of mass, which is not its own where something is attached to it. */
+    private double torque(double[] by, double heading, double rest) {
+        if (armX == 0 && armZ == 0) {
+            return by[4];
+        }
+        double sin = Degrees.sin(heading, rest);
+        double cos = Degrees.cos(heading, rest);
+        return by[4] + armZ * (by[0] * cos - by[2] * sin) - armX * (by[0] * sin + by[2] * cos);
+    }
+
+    /** Takes from a motion what the floor does, which may bring it to rest. */
+    private void floored(double[] motion, double[] mean, double slowing) {
+        double end = Math.sqrt(motion[2] * motion[2] + motion[3] * motion[3]);
+        double left = slowing == 0 ? 1 : Math.max(0, 1 - slowing / end);
+        keptX = end == 0 ? 0 : motion[2] * left;
+        keptZ = end == 0 ? 0 : motion[3] * left;
+        goesX = mean[0] - 0.5 * (motion[2] - keptX);
+        goesZ = mean[1] - 0.5 * (motion[3] - keptZ);
+        if (left == 0 || end == 0 && slowing > 0) {
+            double speed = Math.sqrt(motion[0] * motion[0] + motion[1] * motion[1]);
+            double share = 0.5 * Math.min(1, speed / slowing);
+            goesX = motion[0] * share;
+            goesZ = motion[1] * share;
+        }
+    }
+
+    /** Lets a force and a torque act in the next step, added to what acts then already. */
+    void push(double[] by) {
+        for (int k = 0; k < 6; k++) {
+            push[k] += by[k];
+        }
+        isPushed = true;
+    }
+
+    /** What pushes in the next step, six numbers; null for nothing. */
+    double @Nullable [] push() {
+        return isPushed ? push : null;
+    }
+
+    /** Ends what pushed in a step. */
+    void endPush() {
+        if (isPushed) {
+            Arrays.fill(push, 0);
+            isPushed = false;
+        }
+    }
+
+    /** Whether the floor slows it by itself: nothing drives it, and no force pushes it, of which the floor takes its part. */
+    boolean isSlowed() {
+        return drive == null && !isPushed;
+    }
+
+    /** The velocity along its own axes that a force alone would give in a time. */
+    private Twist pushed(double heading, double rest, double seconds) {
+        if (!isPushed) {
+            return velocity(heading, rest);
+        }
+        double x = vx;
+        double z = vz;
+        double turn = w;
+        vx += push[0] / acting.mass() * seconds;
+        vz += push[2] / acting.mass() * seconds;
+        w += torque(push, heading, rest) / acting.inertia() * seconds;
+        Twist pushed = velocity(heading, rest);
+        vx = x;
+        vz = z;
+        w = turn;
+        return pushed;
+    }
+
+    /** A force that drives, and another one that pushes. */
+    private ForceDrive pushed(ForceDrive force, double heading, double rest) {
+        double sin = Degrees.sin(heading, rest);
+        double cos = Degrees.cos(heading, rest);
+        return new ForceDrive(
+                force.x() + (push[0] * cos - push[2] * sin),
+                force.z() + (push[0] * sin + push[2] * cos),
+                force.torque() + push[4]);
     }
 
     private static double mean(double first, double then, double share) {
@@ -294,6 +479,12 @@ final class BodyState implements Cloneable {
     private boolean goOn(double[] places, int at) {
         Drive driven = drive;
         if (driven == null) {
+            if (isPushed) {
+                vx += restX;
+                vz += restZ;
+                w += restTurn;
+                return true;
+            }
             vx *= keptShare;
             vz *= keptShare;
             w *= keptTurnShare;
@@ -303,10 +494,11 @@ final class BodyState implements Cloneable {
             return false;
         }
         if (driven instanceof ForceDrive force) {
+            ForceDrive all = isPushed ? pushed(force, aimHeading, aimRest) : force;
             Twist now = velocity(aimHeading, aimRest, 0, 0);
-            setVelocity(aimHeading, aimRest, aboutMass(force).rest(now, isLoaded ? acting : body, toGo), 0, 0);
+            setVelocity(aimHeading, aimRest, aboutMass(all).rest(now, isLoaded ? acting : body, toGo), 0, 0);
         } else {
-            Twist now = velocity(places, at);
+            Twist now = pushed(places[at], places[at + 1], toGo);
             Twist next = driven.next(now, body, toGo);
             left += toGo - spent(driven, now, next, toGo);
             setVelocity(places, at, next);
@@ -396,6 +588,8 @@ final class BodyState implements Cloneable {
                 || acting.slowing() > 0
                 || acting.spinSlowing() > 0
                 || acting.damping() > 0
-                || acting.turnDamping() > 0;
+                || acting.turnDamping() > 0
+                || acting.drag() > 0
+                || isPushed;
     }
 }

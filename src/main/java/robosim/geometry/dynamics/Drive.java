@@ -10,7 +10,7 @@ import robosim.geometry.model.Twist;
  * +Z, and a turn counter-clockwise is positive. Nothing here knows what is in the way.
  */
 public sealed interface Drive
-        permits DifferentialDrive, OmnidirectionalDrive, AckermannDrive, VelocityDrive, ForceDrive {
+        permits DifferentialDrive, OmnidirectionalDrive, AckermannDrive, SwerveDrive, VelocityDrive, ForceDrive {
     /**
      * The velocity at the end of a step: as near to the command as the limits of the drive allow, then within the limits of
      * the body.

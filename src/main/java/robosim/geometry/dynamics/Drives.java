@@ -14,6 +14,8 @@ final class Drives {
             of.next(v, body, seconds);
         } else if (drive instanceof AckermannDrive of) {
             of.next(v, body, seconds);
+        } else if (drive instanceof SwerveDrive of) {
+            of.next(v, body, seconds);
         } else if (drive instanceof VelocityDrive of) {
             of.next(v, body);
         } else if (drive instanceof ForceDrive of) {
@@ -22,7 +24,10 @@ final class Drives {
     }
 
     /** The most acceleration along the ground, m/s^2; infinite for no limit. */
-    static double acceleration(Drive drive) {
+    static double acceleration(Drive drive, Body body) {
+        if (drive instanceof SwerveDrive of) {
+            return of.acceleration(body);
+        }
         if (drive instanceof DifferentialDrive of) {
             return of.maxAcceleration();
         }
@@ -47,6 +52,9 @@ final class Drives {
 
     /** Whether it may go sideways. */
     static boolean isAnyWay(Drive drive) {
-        return drive instanceof OmnidirectionalDrive || drive instanceof VelocityDrive || drive instanceof ForceDrive;
+        return drive instanceof OmnidirectionalDrive
+                || drive instanceof SwerveDrive
+                || drive instanceof VelocityDrive
+                || drive instanceof ForceDrive;
     }
 }

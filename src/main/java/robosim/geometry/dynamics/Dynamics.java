@@ -69,6 +69,9 @@ public final class Dynamics {
     /** What turns divides each 4 seconds, or a shorter step, into so many parts at most. */
     private static final int MOST_TURNS = 64;
 
+    /** The friction of a ground of which nothing is known, about that of wood. */
+    private static final double FRICTION = 0.5;
+
     private static final Point DOWN = new Point(0, -Body.GRAVITY, 0);
 
     private final Geometry world;
@@ -107,6 +110,20 @@ public final class Dynamics {
 
     /** Whether the step at hand has begun. */
     private boolean hasBegun;
+
+    /**
+     * Bodies in a world, none so far. What has no body is smooth in a PLANAR world, and has a friction of 0.5 in a SPATIAL
+     * one, where bodies stand and drive on it.
+     *
+     * @throws IllegalArgumentException if heights count in the world and its accuracy is not {@code EXACT}
+     */
+    public Dynamics(Geometry world) {
+        this(
+                world,
+                Checks.present("world", world).dimension() == Dimension.SPATIAL
+                        ? new Surface(0, FRICTION, FRICTION)
+                        : Surface.SMOOTH);
+    }
 
     /**
      * Bodies in a world, none so far.
@@ -162,7 +179,7 @@ public final class Dynamics {
             state.vx = before.vx;
             state.vz = before.vz;
             state.w = before.w;
-            state.drive = before.drive;
+            state.driveAs(before);
             System.arraycopy(before.spatial, 0, state.spatial, 0, before.spatial.length);
         }
         isStale = true;
@@ -207,7 +224,83 @@ public final class Dynamics {
         if (drive instanceof VelocityDrive of) {
             QuantityChecks.level("drive", of.velocity(), "where it acts along the ground");
         }
-        state.drive = drive;
+        state.drive(drive);
+    }
+
+    /** What drives a body, the modules of a {@link SwerveDrive} at the angles that they have come to; null for nothing. */
+    public @Nullable Drive drive(String name) {
+        return state(name).drive;
+    }
+
+    /** Takes the drive from a body, which then goes on by itself; answers whether it had one. */
+    public boolean clearDrive(String name) {
+        BodyState state = state(name);
+        boolean hadOne = state.drive != null;
+        state.drive(null);
+        return hadOne;
+    }
+
+    /** Gives a body an impulse through its centre, at once: {@link #applyImpulse(String, Point, Point)}. */
+    public void applyImpulse(String name, Point impulse) {
+        applyImpulse(name, impulse, world.getObject(name).center());
+    }
+
+    /**
+     * Gives a body an impulse at once, as a kick does: its velocity changes by the impulse over the mass, and its turn by the
+     * torque about its centre. A drive acts against that in the next step, as far as its limits allow.
+     *
+     * @param impulse newton seconds along the world's axes; level in a PLANAR world
+     * @param at      where it acts, on the body or not, in the world; its height does not count in a PLANAR world
+     */
+    public void applyImpulse(String name, Point impulse, Point at) {
+        BodyState state = whole(state(name));
+        double[] by = push("impulse", state.name, impulse, at);
+        if (falling != null) {
+            SpatialBodies.give(state, world.getObject(state.name), by);
+            return;
+        }
+        int place = objects.place(objects.find(state.name));
+        state.kick(by, objects.places(), place);
+    }
+
+    /** Lets a force act through the centre of a body in the next step: {@link #applyForce(String, Point, Point)}. */
+    public void applyForce(String name, Point force) {
+        applyForce(name, force, world.getObject(name).center());
+    }
+
+    /**
+     * Lets a force act on a body all through the next step, and no longer, in addition to others. Its direction and its torque
+     * about the centre stay the same while the body moves and turns. It acts beside a drive, whose limits do not grow: a
+     * {@link VelocityDrive} does not yield to any force.
+     *
+     * @param force newtons along the world's axes; level in a PLANAR world
+     * @param at    where it acts, as for an {@linkplain #applyImpulse impulse}
+     */
+    public void applyForce(String name, Point force, Point at) {
+        BodyState state = whole(state(name));
+        state.push(push("force", state.name, force, at));
+    }
+
+    /** A push and its torque about the centre of a body, six numbers. */
+    private double[] push(String what, String name, Point push, Point at) {
+        Checks.present(what, push);
+        Checks.present("at", at);
+        if (falling == null && push.y() != 0) {
+            throw new IllegalArgumentException(
+                    what + " must be level in a PLANAR world; set y to 0 (got: " + push + ")");
+        }
+        Point centre = world.getObject(name).center();
+        double x = at.x() - centre.x();
+        double y = falling == null ? 0 : at.y() - centre.y();
+        double z = at.z() - centre.z();
+        return new double[] {
+            push.x(),
+            push.y(),
+            push.z(),
+            y * push.z() - z * push.y(),
+            z * push.x() - x * push.z(),
+            x * push.y() - y * push.x()
+        };
     }
 
     /**
@@ -380,6 +473,11 @@ public final class Dynamics {
             throw new IllegalArgumentException("a velocity in space needs a SPATIAL world (got: a PLANAR one)");
         }
         return state(name);
+    }
+
+    /** The world whose objects have these bodies. */
+    public Geometry world() {
+        return world;
     }
 
     /** The names of all bodies, in the order in which they were added. */
@@ -561,6 +659,11 @@ public final class Dynamics {
     }
 
     private void go(double seconds) {
+        move(seconds);
+        bodies.values().forEach(BodyState::endPush);
+    }
+
+    private void move(double seconds) {
         QuantityChecks.positive("seconds", seconds);
         hasBegun = false;
         assemble();
@@ -650,11 +753,12 @@ public final class Dynamics {
         double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            boolean isFree = each.drive == null;
+            boolean isSlowed = each.isSlowed();
+            each.steer(seconds);
             each.begin(places, objects.place(stepper.id(b)) + ObjectTable.HEADING, seconds);
             stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
-            stepper.setDriven(b, !isFree);
-            stepper.setSlowing(b, isFree ? each.acting.slowing() : 0, isFree ? each.acting.spinSlowing() : 0);
+            stepper.setDriven(b, each.drive != null);
+            stepper.setSlowing(b, isSlowed ? each.acting.slowing() : 0, isSlowed ? each.acting.spinSlowing() : 0);
         }
         stepper.run(seconds, table, pushes);
         places = objects.places();

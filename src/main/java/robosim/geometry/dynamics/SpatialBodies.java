@@ -82,6 +82,8 @@ final class SpatialBodies {
         }
         for (int b = 0; b < order.size(); b++) {
             space.setVelocity(b, order.get(b).spatial);
+            space.push(b, order.get(b).push());
+            order.get(b).steer(seconds);
         }
         hasBegun = true;
         space.begin();
@@ -118,6 +120,7 @@ final class SpatialBodies {
                     body.turnDamping(),
                     body.maxSpeed(),
                     turn < Double.POSITIVE_INFINITY ? Degrees.toRadians(turn) : turn);
+            space.resist(b, body.drag(), body.rolling());
         }
     }
 
@@ -136,7 +139,7 @@ final class SpatialBodies {
         aim.forward = velocity[0];
         aim.right = velocity[2];
         aim.turn = Degrees.toRadians(velocity[3]);
-        aim.acceleration = Drives.acceleration(drive);
+        aim.acceleration = Drives.acceleration(drive, state.body);
         aim.turnAcceleration = Drives.turnAcceleration(drive);
         aim.rim = Drives.rim(drive);
         aim.isAnyWay = Drives.isAnyWay(drive);
@@ -158,6 +161,20 @@ final class SpatialBodies {
         v[3] = Degrees.toRadians(to.rx());
         v[4] = Degrees.toRadians(to.ry());
         v[5] = Degrees.toRadians(to.rz());
+    }
+
+    /** Gives a body an impulse and an angular impulse about its centre, six numbers in the world's axes. */
+    static void give(BodyState to, GeometryObject object, double[] by) {
+        Pose pose = object.pose();
+        double[] moments = to.body.moments(object);
+        for (int axis = 0; axis < 3; axis++) {
+            to.spatial[axis] += by[axis] / to.body.mass();
+            double turn =
+                    pose.rotation(axis) * by[3] + pose.rotation(3 + axis) * by[4] + pose.rotation(6 + axis) * by[5];
+            for (int row = 0; row < 3; row++) {
+                to.spatial[3 + row] += pose.rotation(3 * row + axis) * turn / moments[axis];
+            }
+        }
     }
 
     /** The velocity along the own axes, and about the own Y. */

@@ -10,7 +10,7 @@
  *   <li>{@link Body}: mass, inertia and surface of an object, and its drive
  *   <li>{@link Surface}: friction and restitution, and how those of two objects are combined
  *   <li>{@link Drive}: what turns a command into motion: {@link DifferentialDrive}, {@link AckermannDrive}, {@link
- *       OmnidirectionalDrive}, {@link VelocityDrive}, {@link ForceDrive}
+ *       OmnidirectionalDrive}, {@link SwerveDrive} with its {@link Motor}s, {@link VelocityDrive}, {@link ForceDrive}
  *   <li>{@link StepResult}: what happened in a step: contacts, and bodies that were stopped
  *   <li>{@link BodyContact}: a contact of two bodies: point, normal, impulse, phase
  *   <li>{@link SpatialVelocity}: the velocity of a body where heights count

@@ -16,6 +16,7 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 
 /** The bodies of a test's world: what they were given and told, and what they met so far. */
@@ -26,6 +27,7 @@ final class Bodies {
     /** What changed since the last step. */
     private final Map<String, DriveCommand> news = new LinkedHashMap<>();
 
+    private final List<PushRequest> pushes = new ArrayList<>();
     private final List<Meeting> meetings = new ArrayList<>();
 
     /** Why bodies were stopped last, by their names, and in which step of the clock. */
@@ -67,6 +69,7 @@ final class Bodies {
         again.given.putAll(given);
         again.told.putAll(told);
         again.news.putAll(news);
+        again.pushes.addAll(pushes);
         again.meetings.addAll(meetings);
         again.stops.putAll(stops);
         again.stopSteps.putAll(stopSteps);
@@ -101,11 +104,32 @@ final class Bodies {
         news.put(command.objectName(), command);
     }
 
+    void push(PushRequest push) {
+        pushes.add(push);
+    }
+
+    /** Where a body was after the last step, and its velocity; null if there is no such body. */
+    @Nullable
+    BodyAnswer answer(String name) {
+        return last.bodies().stream()
+                .filter(body -> body.objectName().equals(name))
+                .findFirst()
+                .orElse(null);
+    }
+
+    /** The contacts of the last step in which a body takes part. */
+    List<ContactAnswer> contacts(String name) {
+        return last.contacts().stream()
+                .filter(each -> each.objectName().equals(name) || name.equals(each.other()))
+                .toList();
+    }
+
     /** The next step; what robots were told since the last one comes with it. */
     StepBundle next(double seconds) {
         told.putAll(news);
-        StepBundle step = new StepBundle(seconds, List.of(), List.copyOf(news.values()));
+        StepBundle step = new StepBundle(seconds, List.of(), List.copyOf(news.values()), null, List.copyOf(pushes));
         news.clear();
+        pushes.clear();
         return step;
     }
 

@@ -14,10 +14,15 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Twist;
 import robosim.geometry.net.session.BodyRequests;
 import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.PushRequest;
+import robosim.geometry.protocol.motion.Velocity;
 import robosim.geometry.world.SonarRing;
 
 /**
@@ -115,6 +120,42 @@ public sealed class Robot permits Range, Sonar {
     public Robot detach(String load) {
         world.geometry().detach(load);
         return this;
+    }
+
+    /** Takes its drive from it: it goes on by itself, and is pushed. */
+    public Robot losesDrive() {
+        world.give(world.body(name).withDrive(DriveSettings.of(DriveSettings.Kind.NONE)));
+        return this;
+    }
+
+    /** Kicks it in the next step: an impulse through its centre, newton seconds along the world's axes. */
+    public Robot getsImpulse(Point impulse) {
+        world.push(PushRequest.impulse(name, Checks.present("impulse", impulse)));
+        return this;
+    }
+
+    /** Pushes it all through the next step, and no longer: a force through its centre, newtons along the world's axes. */
+    public Robot getsForce(Point force) {
+        world.push(PushRequest.force(name, Checks.present("force", force)));
+        return this;
+    }
+
+    /**
+     * Its velocity after the last step of the clock, along its own axes: m/s, and degrees a second about its own Y, which is how
+     * fast its heading changes while it stands upright. Zero for what has no body.
+     */
+    public Twist velocity() {
+        BodyAnswer body = world.answer(name);
+        Velocity of = body == null ? new Velocity(0, 0, 0, 0) : body.velocity();
+        return new Twist(of.x(), of.y(), of.z(), Degrees.toDegrees(of.ry()));
+    }
+
+    /**
+     * What it touched or collided with in the last step of the clock, the ground too, and what it parted from. The normal of
+     * each points towards the {@code objectName} of the contact, which may be the other one.
+     */
+    public List<ContactAnswer> contacts() {
+        return world.contacts(name);
     }
 
     /** Fails unless it and an object have met so far while bodies moved: one ran into the other. */

@@ -26,10 +26,13 @@ import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
+import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.DriveSettings.Kind;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.drive.WorldBodies;
 import robosim.geometry.world.SonarRing;
@@ -158,6 +161,22 @@ public final class RobotWorld {
         DriveSettings drive = all.of(name).drive();
         Kind kind = (drive == null ? DriveSettings.DEFAULT : drive).kind();
         all.tell(new DriveCommand(name, forward, right, kind.turn(turn)));
+    }
+
+    /** Pushes an object in the next step. */
+    void push(PushRequest push) {
+        bodies().push(push);
+    }
+
+    /** Where a body was after the last step, and its velocity; null if it has none. */
+    @Nullable
+    BodyAnswer answer(String name) {
+        return bodies().answer(name);
+    }
+
+    /** What a body touched in the last step. */
+    List<ContactAnswer> contacts(String name) {
+        return bodies().contacts(name);
     }
 
     /** Lets time pass. */

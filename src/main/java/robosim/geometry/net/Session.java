@@ -446,7 +446,7 @@ public final class Session {
     }
 
     private Problem leftOut(int index, String reason) {
-        return logged(index, "body or command " + index + " of a step is left out", reason);
+        return logged(index, "body, command or push " + index + " of a step is left out", reason);
     }
 
     private Problem notStepped(String reason) {

@@ -43,9 +43,11 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.SwerveSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
@@ -151,6 +153,9 @@ final class AllowedClasses {
             Velocity.class,
             ContactAnswer.class,
             ContactAnswer.Phase.class,
+            PushRequest.class,
+            SwerveSettings.class,
+            SwerveSettings.Motor.class,
             StopAnswer.class,
             StopAnswer.Reason.class,
             SurfaceMixing.class,

@@ -8,6 +8,7 @@ import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceMixing;
 
@@ -19,27 +20,37 @@ import robosim.geometry.protocol.motion.SurfaceMixing;
  * @param bodies   given to objects before the step; what was given before stays
  * @param commands what robots are told to do from the beginning of the step on; what they were told before stays
  * @param mixing   how the surfaces of two objects make that of their contact from this step on; null for the rules so far
+ * @param pushes   impulses before the step and forces all through it, which act once
  */
 public record StepBundle(
         double seconds,
         List<BodyRequest> bodies,
         List<DriveCommand> commands,
-        @Nullable SurfaceMixing mixing) implements Bundle {
+        @Nullable SurfaceMixing mixing,
+        List<PushRequest> pushes)
+        implements Bundle {
     @Serial
     private static final long serialVersionUID = 1;
 
     /** The longest step, seconds. */
     public static final double MAX_SECONDS = 3600;
 
-    /** Refuses null, and seconds that are out of range. */
-    public StepBundle {
+    /** Refuses seconds that are out of range, and null, except for pushes: requests of older peers have none. */
+    public StepBundle(
+            double seconds,
+            List<BodyRequest> bodies,
+            List<DriveCommand> commands,
+            @Nullable SurfaceMixing mixing,
+            @Nullable List<PushRequest> pushes) {
         if (!(seconds >= 0 && seconds <= MAX_SECONDS)) { // written so that NaN fails it
             throw new IllegalArgumentException(
                     "seconds must be a number from 0 to " + (int) MAX_SECONDS + " (got: " + seconds + ")");
         }
-        seconds += 0.0;
-        bodies = Checks.copy("bodies", bodies, BodyRequest.class);
-        commands = Checks.copy("commands", commands, DriveCommand.class);
+        this.seconds = seconds + 0.0;
+        this.bodies = Checks.copy("bodies", bodies, BodyRequest.class);
+        this.commands = Checks.copy("commands", commands, DriveCommand.class);
+        this.mixing = mixing;
+        this.pushes = pushes == null ? List.of() : Checks.copy("pushes", pushes, PushRequest.class);
     }
 
     /** A step by the rules for surfaces so far. */
@@ -47,9 +58,15 @@ public record StepBundle(
         this(seconds, bodies, commands, null);
     }
 
-    /** How many bodies and commands there are. */
+    /** A step without pushes. */
+    public StepBundle(
+            double seconds, List<BodyRequest> bodies, List<DriveCommand> commands, @Nullable SurfaceMixing mixing) {
+        this(seconds, bodies, commands, mixing, List.of());
+    }
+
+    /** How many bodies, commands and pushes there are. */
     public int size() {
-        return bodies.size() + commands.size();
+        return bodies.size() + commands.size() + pushes.size();
     }
 
     /**

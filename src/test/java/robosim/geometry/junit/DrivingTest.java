@@ -18,8 +18,10 @@ import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.DifferentialDrive;
 import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.Motor;
 import robosim.geometry.dynamics.OmnidirectionalDrive;
 import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.SwerveDrive;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -50,6 +52,38 @@ class DrivingTest {
         // It was told to stand, and its drive has no limits.
         world.clock().advance(5);
         world.robot("drum").endsNear(-1, 5, 1e-9);
+    }
+
+    @Test
+    void aKickAndAForceAreRecordedAndReplayed() throws IOException {
+        RobotWorld world = RobotWorld.of(arena());
+        Robot crate = world.robot("crate").hasBody(Body.of(10, 2).withDrag(0.5, 0.01));
+        crate.getsImpulse(new Point(-20, 0, 0));
+        world.robot("drum").drives(0.5, 0).forSeconds(0.5);
+        assertThat(crate.velocity().x()).isLessThan(-1).isGreaterThan(-2);
+        crate.getsForce(new Point(0, 0, 30));
+        world.clock().advance(1);
+        assertThat(crate.velocity().z()).isCloseTo(0.3, org.assertj.core.data.Offset.offset(0.05));
+        world.clock().advance(20);
+        assertThat(crate.contacts())
+                .singleElement()
+                .satisfies(each -> assertThat(each.other()).isEqualTo("cart"));
+        world.robot("drum").losesDrive();
+        world.clock().advance(5);
+        assertThat(Replay.of(world.scenario("kicked"))).isEmpty();
+    }
+
+    @Test
+    void aSwerveRobotIsRecordedAndReplayed() {
+        RobotWorld world = RobotWorld.of(arena());
+        Motor motor = new Motor(7.09, 6000, 366, 6.75, 0.05, 60, 0.002);
+        Robot cart = world.robot("cart")
+                .hasDrive(SwerveDrive.of(0.8, 0.8, motor, 0.5).steering(300));
+        cart.drives(-1, 1, 20).forSeconds(2);
+        assertThat(cart.velocity().ry()).isCloseTo(20, org.assertj.core.data.Offset.offset(1.0));
+        world.clock().advance(10);
+        assertThat(cart.velocity().x()).isCloseTo(0, org.assertj.core.data.Offset.offset(1e-9));
+        assertThat(Replay.of(world.scenario("swerve"))).isEmpty();
     }
 
     @Test

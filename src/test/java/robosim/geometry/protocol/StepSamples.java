@@ -10,13 +10,23 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.SwerveSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** Steps with everything that they may have. */
 public final class StepSamples {
     private static final double NONE = Double.POSITIVE_INFINITY;
+
+    /** The kinds that the stored requests have. */
+    private static final List<DriveSettings.Kind> STORED = List.of(
+            DriveSettings.Kind.DIFFERENTIAL,
+            DriveSettings.Kind.OMNIDIRECTIONAL,
+            DriveSettings.Kind.ACKERMANN,
+            DriveSettings.Kind.VELOCITY,
+            DriveSettings.Kind.FORCE);
 
     private StepSamples() {}
 
@@ -35,7 +45,7 @@ public final class StepSamples {
                 0.25,
                 DriveSettings.DEFAULT,
                 new Velocity(1, 0, -2, 0.5)));
-        for (DriveSettings.Kind kind : DriveSettings.Kind.values()) {
+        for (DriveSettings.Kind kind : STORED) {
             bodies.add(BodyRequest.of("robot " + kind).withDrive(DriveSettings.of(kind)));
         }
         bodies.add(BodyRequest.of("d")
@@ -47,6 +57,30 @@ public final class StepSamples {
                 new StepBundle(0, List.of(), List.of()),
                 new StepBundle(
                         0.05, bodies, List.of(new DriveCommand("a", 1, 0.25), new DriveCommand("b", -1, 2, -3))));
+    }
+
+    /** A step with pushes, which the stored ones lack. */
+    public static StepBundle pushing() {
+        return new StepBundle(
+                0.05,
+                List.of(
+                        BodyRequest.of("a").withDrag(0.25, 0.5),
+                        BodyRequest.of("n").withDrive(DriveSettings.of(DriveSettings.Kind.NONE)),
+                        BodyRequest.of("t")
+                                .withDrive(DriveSettings.of(
+                                        new SwerveSettings(List.of(new Point(0.25, 0, -0.5)), 1.5, 0, null))),
+                        BodyRequest.of("s")
+                                .withDrive(DriveSettings.of(new SwerveSettings(
+                                        List.of(new Point(0.25, 0, -0.5), new Point(-0.25, 0, 0.5)),
+                                        1,
+                                        NONE,
+                                        new SwerveSettings.Motor(7, 6000, 366, 6.75, 0.05, 80, 0.125))))),
+                List.of(),
+                null,
+                List.of(
+                        PushRequest.impulse("a", new Point(1, 2, -3)),
+                        new PushRequest("b", new Point(), new Point(0, -4, 0.5), new Point(7, 8, 9)),
+                        PushRequest.force("a", new Point(0.25, 0, 0))));
     }
 
     public static StepBundle.Answer answer() {
@@ -112,6 +146,7 @@ public final class StepSamples {
     public static StepBundle random(SplittableRandom random) {
         List<BodyRequest> bodies = new ArrayList<>();
         List<DriveCommand> commands = new ArrayList<>();
+        List<PushRequest> pushes = new ArrayList<>();
         for (int k = random.nextInt(4); k > 0; k--) {
             double friction = number(random, 0, 2);
             bodies.add(new BodyRequest(
@@ -127,13 +162,21 @@ public final class StepSamples {
                     random.nextBoolean() ? null : DriveSettings.DEFAULT,
                     random.nextBoolean()
                             ? null
-                            : new Velocity(number(random, -9, 9), 0, number(random, -1e9, 9), number(random, -1, 1))));
+                            : new Velocity(number(random, -9, 9), 0, number(random, -1e9, 9), number(random, -1, 1)),
+                    random.nextBoolean() ? 0 : number(random, 0, 1e9),
+                    random.nextBoolean() ? 0 : number(random, 0, 1)));
+            Point push = new Point(number(random, -9, 9), number(random, -1e9, 1e9), 0);
+            pushes.add(new PushRequest(
+                    "body " + random.nextInt(9),
+                    push,
+                    random.nextBoolean() ? null : push,
+                    random.nextBoolean() ? null : push));
             commands.add(new DriveCommand(
                     "body " + random.nextInt(9),
                     number(random, -9, 9),
                     number(random, -1e9, 1e9),
                     number(random, -0.5, 3)));
         }
-        return new StepBundle(number(random, 0, 3600), bodies, commands);
+        return new StepBundle(number(random, 0, 3600), bodies, commands, null, pushes);
     }
 }

@@ -19,8 +19,10 @@ import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.DifferentialDrive;
 import robosim.geometry.dynamics.Drive;
 import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.Motor;
 import robosim.geometry.dynamics.OmnidirectionalDrive;
 import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.SwerveDrive;
 import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Point;
@@ -156,12 +158,22 @@ class BodyFilesTest {
     }
 
     private static @Nullable Drive drive(SplittableRandom random) {
-        return switch (random.nextInt(6)) {
+        return switch (random.nextInt(7)) {
             case 0 -> new DifferentialDrive(0.1 + random.nextDouble(), limit(random), limit(random));
             case 1 -> new OmnidirectionalDrive(limit(random), limit(random), limit(random), limit(random));
             case 2 -> new AckermannDrive(1, random.nextBoolean() ? 60 : 30 * random.nextDouble(), limit(random), 1);
             case 3 -> new VelocityDrive(new Twist(0, 0, 0, 0));
             case 4 -> new ForceDrive(0, 0, 0);
+            case 5 ->
+                new SwerveDrive(
+                        List.of(
+                                new SwerveDrive.Module(random.nextDouble(), -random.nextDouble()),
+                                new SwerveDrive.Module(0, 0.5)),
+                        random.nextBoolean()
+                                ? null
+                                : new Motor(7, 6000, 366, 6.75, 0.05, limit(random), random.nextInt(2)),
+                        random.nextDouble(),
+                        limit(random));
             default -> null;
         };
     }
@@ -190,6 +202,8 @@ class BodyFilesTest {
                                     random.nextInt(2),
                                     limit(random),
                                     limit(random),
+                                    random.nextInt(2),
+                                    random.nextInt(2),
                                     drive(random))));
         }
         World world = new World(9, 9, 9, objects);

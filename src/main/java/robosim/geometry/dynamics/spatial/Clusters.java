@@ -50,7 +50,7 @@ final class Clusters {
         }
         for (int b = 0; b < all; b++) {
             RigidBody body = bodies.get(b);
-            double way = (RigidBody.length(body.v, 0) + pull * seconds) * seconds;
+            double way = (RigidBody.length(body.v, 0) + (pull + body.pushed()) * seconds) * seconds;
             size[b] = body.reach + 2 * way + ContactDetection.TOUCH;
             begin[b] = body.place[0] - size[b];
             root[b] = b;

@@ -54,7 +54,7 @@ final class EnergyBudget {
             }
             body.energy = body.kinetic(body.v);
             System.arraycopy(body.place, 0, body.start, 0, 3);
-            System.arraycopy(body.v, 0, body.began, 0, 3);
+            System.arraycopy(body.v, 0, body.began, 0, 6);
             body.spin(body.place, body.v, body.spun);
         }
     }
@@ -98,7 +98,7 @@ final class EnergyBudget {
         for (int m = 0; m < cluster.count; m++) {
             free.takeBack(cluster.member[m]);
         }
-        sum();
+        sum(seconds);
         lend();
         for (int m = 0; m < cluster.count; m++) {
             int group = cluster.member[m];
@@ -148,7 +148,7 @@ final class EnergyBudget {
     }
 
     /** What the bodies of each group have. */
-    private void sum() {
+    private void sum(double seconds) {
         int count = bodies.size();
         if (before.length < count) {
             before = new double[count];
@@ -172,10 +172,10 @@ final class EnergyBudget {
             RigidBody body = bodies.get(cluster.member[m]);
             if (!body.isAsleep) {
                 int group = body.group;
-                before[group] += body.energy + body.work;
+                before[group] += body.energy + body.work + body.pushWork(seconds);
                 moving[group] += body.kinetic(body.v);
                 risen[group] += body.risen(gravity);
-                isPressed[group] |= body.isDriving;
+                isPressed[group] |= body.isDriving || body.isPushed;
                 isHeld[group] |= body.isHeld;
             }
         }

@@ -106,7 +106,9 @@ final class FreeGroup {
         double inner = moving - rigid();
         double excess = moving + risen(group) - allowed;
         if (count == 1) {
-            turnBack(bodies.get(group));
+            if (!bodies.get(group).isPushed) {
+                turnBack(bodies.get(group));
+            }
             hold(bodies.get(group), allowed);
         } else if (excess > 0 && inner > 0) {
             scale(group, Math.sqrt(Math.max(0, inner - excess) / inner));
@@ -324,7 +326,7 @@ final class FreeGroup {
             RigidBody body = bodies.get(b);
             mass += body.mass;
             count++;
-            isDriven |= body.isDriven || body.stop != null;
+            isDriven |= body.isDriven || body.isPushed || body.stop != null;
             isAmongOthers |= body.isAmongOthers || body.stop != null;
             isHeld |= body.isHeld;
             for (int axis = 0; axis < 3; axis++) {

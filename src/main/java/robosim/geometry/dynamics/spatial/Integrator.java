@@ -109,6 +109,7 @@ final class Integrator {
         for (int axis = 0; axis < 3; axis++) {
             body.u[axis] += gravity[axis] * seconds;
         }
+        body.resist(seconds);
     }
 
     /** Lets a part of a slice begin, in which no body has been carried yet; it is a share of the time looked ahead. */

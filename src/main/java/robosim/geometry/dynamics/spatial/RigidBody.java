@@ -30,6 +30,16 @@ final class RigidBody implements Cloneable {
     /** Its own friction with what carries it is at least this. */
     double floorFriction;
 
+    /** Quadratic drag, kg/m, and rolling resistance, a share of the load. */
+    double drag;
+
+    double rolling;
+
+    /** A force and a torque that act on it now, and whether they do. */
+    double[] push = new double[6];
+
+    boolean isPushed;
+
     /** Whether it has a drive, whether that moves it, and whether it stood on its wheels in the last slice. */
     boolean isDriven;
 
@@ -83,7 +93,7 @@ final class RigidBody implements Cloneable {
     double energy;
 
     double[] start = new double[3];
-    double[] began = new double[3];
+    double[] began = new double[6];
     double[] spun = new double[3];
 
     /** The velocity before a collision that another body has. */
@@ -134,6 +144,7 @@ final class RigidBody implements Cloneable {
             copy.v = v.clone();
             copy.u = u.clone();
             copy.given = given.clone();
+            copy.push = push.clone();
             copy.reaction = reaction.clone();
             copy.driven = driven.clone();
             copy.exchanged = exchanged.clone();
@@ -200,6 +211,50 @@ final class RigidBody implements Cloneable {
         carrier = null;
         Arrays.fill(reaction, 0);
         Arrays.fill(driven, 0);
+    }
+
+    /** Lets what pushes it, and quadratic drag, change the velocity that it has at the end of a time: the midpoint rule. */
+    void resist(double seconds) {
+        if (isPushed) {
+            for (int axis = 0; axis < 3; axis++) {
+                u[axis] += push[axis] / mass * seconds;
+                int row = 3 * axis;
+                u[3 + axis] +=
+                        (inverse[row] * push[3] + inverse[row + 1] * push[4] + inverse[row + 2] * push[5]) * seconds;
+            }
+        }
+        if (drag > 0 && !(isDriven && isTouching)) {
+            double half = halfDrag(1, 0, seconds);
+            half = halfDrag(1 / (1 + half), half, seconds);
+            for (int axis = 0; axis < 3; axis++) {
+                u[axis] = (u[axis] - half * v[axis]) / (1 + half);
+            }
+        }
+    }
+
+    /** Half of what drag takes in a time at the speed halfway, as a share; where the end has a share of u, less a share of v. */
+    private double halfDrag(double share, double less, double seconds) {
+        double square = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double twice = v[axis] + share * (u[axis] - less * v[axis]);
+            square += twice * twice;
+        }
+        return Math.min(1, 0.25 * drag / mass * Math.sqrt(square) * seconds);
+    }
+
+    /** The acceleration by what pushes it, m/s^2. */
+    double pushed() {
+        return isPushed ? length(push, 0) / mass : 0;
+    }
+
+    /** The work of what pushes it since the slice began, in a time. */
+    double pushWork(double seconds) {
+        double work = 0;
+        for (int axis = 0; isPushed && axis < 3; axis++) {
+            work += push[axis] * (place[axis] - start[axis])
+                    + 0.5 * push[3 + axis] * (began[3 + axis] + v[3 + axis]) * seconds;
+        }
+        return work;
     }
 
     /** Works out the inverse inertia at the present attitude. */

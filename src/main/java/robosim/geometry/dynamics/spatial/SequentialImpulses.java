@@ -60,10 +60,12 @@ final class SequentialImpulses {
     private double[] arms = new double[0];
 
     private final Traction traction;
+    private final RollingResistance rolling;
 
     SequentialImpulses(List<RigidBody> bodies, Traction traction) {
         this.bodies = bodies;
         this.traction = traction;
+        rolling = new RollingResistance(bodies);
     }
 
     /** Begins anew with the order of contacts. */
@@ -100,6 +102,7 @@ final class SequentialImpulses {
      */
     void solve(Contacts contacts, int driven, boolean atEnd, double seconds, double gap, ContactSurfaces surfaces) {
         reserve(contacts.count);
+        rolling.begin(contacts.count);
         boolean any = false;
         for (int k = 0; k < contacts.count; k++) {
             any |= prepare(contacts, k, atEnd, seconds, gap, surfaces);
@@ -154,6 +157,7 @@ final class SequentialImpulses {
                 if (!isOff[k]) {
                     most = Math.max(most, push(contacts, k, atEnd));
                     most = Math.max(most, rub(contacts, k, atEnd));
+                    most = Math.max(most, rolling.resist(contacts, k, pushed[k], atEnd));
                 }
             }
             if (atEnd) {
@@ -325,6 +329,7 @@ final class SequentialImpulses {
         // One for both, so that what slides is rubbed straight against its way.
         ease[2 * k + 1] = 1 / Math.max(lightness(c, k, tangents, 6 * k), lightness(c, k, tangents, 6 * k + 3));
         rubs(c, k, own, other, surfaces);
+        rolling.prepare(c, k);
         return true;
     }
 

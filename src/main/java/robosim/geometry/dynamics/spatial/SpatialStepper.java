@@ -3,6 +3,7 @@ package robosim.geometry.dynamics.spatial;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.dynamics.planar.ContactLog;
 import robosim.geometry.dynamics.planar.ContactSurfaces;
 import robosim.geometry.engine.World;
@@ -106,6 +107,26 @@ public final class SpatialStepper {
         body.turnDamping = turnDamping;
         body.maxSpeed = maxSpeed;
         body.maxTurn = maxTurn;
+    }
+
+    /** Sets what resists the motion of a body: its quadratic drag, kg/m, and rolling resistance, a share of the load. */
+    public void resist(int b, double drag, double rolling) {
+        bodies.get(b).drag = drag;
+        bodies.get(b).rolling = rolling;
+    }
+
+    /**
+     * Lets a force and a torque act on a body until they are set anew, and wakes it.
+     *
+     * @param by newtons and newton metres in the world's axes; null for nothing
+     */
+    public void push(int b, double @Nullable [] by) {
+        RigidBody body = bodies.get(b);
+        body.isPushed = by != null;
+        if (by != null) {
+            System.arraycopy(by, 0, body.push, 0, 6);
+            body.wake();
+        }
     }
 
     /** The velocity of a body: six numbers, m/s and radians a second about the world's axes. */

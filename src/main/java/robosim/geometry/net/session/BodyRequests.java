@@ -5,16 +5,20 @@ import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.DifferentialDrive;
 import robosim.geometry.dynamics.Drive;
+import robosim.geometry.dynamics.Motor;
 import robosim.geometry.dynamics.OmnidirectionalDrive;
 import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.SwerveDrive;
 import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.DriveSettings.Kind;
 import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.SwerveSettings;
 
 /** Bodies and drives as a peer asks for them, and what an object weighs if nobody says so. */
 public final class BodyRequests {
@@ -38,7 +42,9 @@ public final class BodyRequests {
                 radians(body.maxTurn()),
                 body.floorFriction(),
                 drive == null ? null : of(drive),
-                null);
+                null,
+                body.drag(),
+                body.rolling());
     }
 
     /** A surface. */
@@ -75,7 +81,48 @@ public final class BodyRequests {
                     Degrees.toRadians(car.maxSteering()),
                     NONE);
         }
+        if (drive instanceof SwerveDrive swerve) {
+            Motor motor = swerve.motor();
+            return DriveSettings.of(new SwerveSettings(
+                    swerve.modules().stream()
+                            .map(each -> new Point(each.x(), 0, each.z()))
+                            .toList(),
+                    swerve.grip(),
+                    radians(swerve.maxSteering()),
+                    motor == null
+                            ? null
+                            : new SwerveSettings.Motor(
+                                    motor.stallTorque(),
+                                    motor.freeTurns(),
+                                    motor.stallCurrent(),
+                                    motor.gearRatio(),
+                                    motor.wheelRadius(),
+                                    motor.currentLimit(),
+                                    motor.supplyResistance())));
+        }
         return DriveSettings.of(drive instanceof VelocityDrive ? Kind.VELOCITY : Kind.FORCE);
+    }
+
+    /** A swerve drive as a peer asks for it, without its command. */
+    static SwerveDrive swerve(SwerveSettings asked) {
+        SwerveSettings.Motor motor = asked.motor();
+        double steering = asked.maxSteering();
+        return new SwerveDrive(
+                asked.wheels().stream()
+                        .map(each -> new SwerveDrive.Module(each.x(), each.z()))
+                        .toList(),
+                motor == null
+                        ? null
+                        : new Motor(
+                                motor.stallTorque(),
+                                motor.freeTurns(),
+                                motor.stallCurrent(),
+                                motor.gearRatio(),
+                                motor.wheelRadius(),
+                                motor.currentLimit(),
+                                motor.supplyResistance()),
+                asked.grip(),
+                steering == NONE ? steering : Degrees.toDegrees(steering));
     }
 
     private static double radians(double degrees) {

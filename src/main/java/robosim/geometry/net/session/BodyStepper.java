@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
@@ -22,12 +23,14 @@ import robosim.geometry.dynamics.ForceDrive;
 import robosim.geometry.dynamics.OmnidirectionalDrive;
 import robosim.geometry.dynamics.StepResult;
 import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.SwerveDrive;
 import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.Numbers;
@@ -36,9 +39,11 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.SwerveSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** The bodies of one world, which steps move. Made when the first step is asked for: a world without one pays nothing. */
@@ -51,9 +56,6 @@ public final class BodyStepper {
 
     private final Geometry world;
     private final Dynamics dynamics;
-
-    /** What has no surface of its own where heights count: the floors that bodies stand and drive on are objects there. */
-    private static final Surface FLOOR = new Surface(0, BodyRequest.FLOOR_FRICTION, BodyRequest.FLOOR_FRICTION);
 
     /** The bodies in the order in which they became such, and what drives each. */
     private final Set<String> bodies = new LinkedHashSet<>();
@@ -83,7 +85,7 @@ public final class BodyStepper {
     public BodyStepper(Geometry world, Runnable breath) {
         this.world = world;
         this.breath = breath;
-        this.dynamics = new Dynamics(world, world.dimension() == Dimension.SPATIAL ? FLOOR : Surface.SMOOTH);
+        this.dynamics = new Dynamics(world);
         dynamics.pausing(breath);
         falls = world.dimension() == Dimension.SPATIAL ? new FallDetector(world) : null;
     }
@@ -139,6 +141,9 @@ public final class BodyStepper {
         }
         for (DriveCommand command : step.commands()) {
             attempt(index++, command.objectName(), refused, () -> command(command));
+        }
+        for (PushRequest push : step.pushes()) {
+            attempt(index++, push.objectName(), refused, () -> push(push));
         }
         if (step.seconds() == 0 || bodies.isEmpty()) {
             return new StepBundle.Answer(places(), List.of(), List.of());
@@ -227,11 +232,14 @@ public final class BodyStepper {
                 .withSurface(surface)
                 .withDamping(asked.damping(), asked.turnDamping())
                 .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()))
-                .withFloorFriction(asked.floorFriction());
+                .withFloorFriction(asked.floorFriction())
+                .withDrag(asked.drag(), asked.rolling());
         // All that may be refused is made before anything is changed, so that what is refused leaves nothing behind.
         String name = asked.objectName();
         DriveSettings settings = asked.drive();
-        Drive drive = settings == null ? null : drive(object, settings, new DriveCommand(name, 0, 0, 0));
+        Drive drive = settings == null || settings.kind() == DriveSettings.Kind.NONE
+                ? null
+                : drive(object, settings, new DriveCommand(name, 0, 0, 0));
         Twist going = velocity == null
                 ? null
                 : new Twist(velocity.x(), velocity.y(), velocity.z(), Degrees.toDegrees(velocity.ry()));
@@ -241,7 +249,10 @@ public final class BodyStepper {
         if (falls != null) {
             falls.watch(name);
         }
-        if (settings != null && drive != null) {
+        if (settings != null && settings.kind() == DriveSettings.Kind.NONE) {
+            drives.remove(name);
+            dynamics.clearDrive(name);
+        } else if (settings != null && drive != null) {
             drives.put(name, settings);
             dynamics.drive(name, drive);
         }
@@ -283,7 +294,26 @@ public final class BodyStepper {
         dynamics.drive(name, drive);
     }
 
-    private static Drive drive(GeometryObject object, DriveSettings drive, DriveCommand command) {
+    private void push(PushRequest push) {
+        String name = push.objectName();
+        GeometryObject object = world.getObject(name);
+        if (!object.isMoveable()) {
+            throw new IllegalArgumentException(
+                    "objectName must be that of a moveable object (got: " + Text.quoted(name) + ")");
+        }
+        if (!bodies.contains(name)) {
+            add(BodyRequest.of(name));
+        }
+        Point at = push.at() == null ? object.center() : push.at();
+        if (push.impulse() != null) {
+            dynamics.applyImpulse(name, push.impulse(), at);
+        }
+        if (push.force() != null) {
+            dynamics.applyForce(name, push.force(), at);
+        }
+    }
+
+    private Drive drive(GeometryObject object, DriveSettings drive, DriveCommand command) {
         double turn = Degrees.toDegrees(command.turn());
         Bounds box = object.turned(0, -object.heading()).bounds();
         return switch (drive.kind()) {
@@ -310,7 +340,27 @@ public final class BodyStepper {
                         .driving(command.forward(), turn);
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
+            case SWERVE ->
+                swerve(object, Objects.requireNonNull(drive.swerve()))
+                        .driving(command.forward(), command.right(), turn);
+            case NONE -> throw new IllegalStateException("a body with a drive of kind NONE has none");
         };
+    }
+
+    /** A swerve drive, its modules at the angles that they have, so that each turns the shorter way. */
+    private SwerveDrive swerve(GeometryObject object, SwerveSettings asked) {
+        SwerveDrive made = BodyRequests.swerve(asked);
+        String name = String.valueOf(object.name());
+        @Nullable Drive old = dynamics.has(name) ? dynamics.drive(name) : null;
+        if (!(old instanceof SwerveDrive before)
+                || before.modules().size() != made.modules().size()) {
+            return made;
+        }
+        List<SwerveDrive.Module> turned = new ArrayList<>();
+        for (int k = 0; k < made.modules().size(); k++) {
+            turned.add(made.modules().get(k).to(before.modules().get(k).angle(), 0));
+        }
+        return made.with(turned);
     }
 
     /** What kind of drive an object has or, without a body, would get. */

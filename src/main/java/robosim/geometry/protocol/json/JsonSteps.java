@@ -10,9 +10,11 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
+import robosim.geometry.protocol.motion.SwerveSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** Steps of bodies, and their answers, as JSON. */
@@ -21,17 +23,28 @@ final class JsonSteps {
 
     private static final JsonObject<Velocity> VELOCITY = JsonObject.of(Velocity.class);
 
+    private static final JsonObject<SwerveSettings> SWERVE = JsonObject.of(SwerveSettings.class)
+            .omitting(NONE, "maxSteering~")
+            .form(
+                    "motor",
+                    JsonObject.of(SwerveSettings.Motor.class)
+                            .omitting(NONE, "currentLimit")
+                            .omitting(0.0, "supplyResistance"))
+            .omitting(null, "motor");
+
     private static final JsonObject<DriveSettings> DRIVE = JsonObject.of(DriveSettings.class)
             .form("kind", JsonForm.anyCase(DriveSettings.Kind.class))
             .omitting(0.0, "base centreAhead")
-            .omitting(NONE, "maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~");
+            .omitting(NONE, "maxSpeed maxAcceleration maxTurn~ maxTurnAcceleration~")
+            .form("swerve", SWERVE)
+            .omitting(null, "swerve");
 
     private static final JsonObject<SurfaceSettings> SURFACE =
             JsonObject.of(SurfaceSettings.class).omitting(0.0, "restitution staticFriction slidingFriction");
 
     private static final JsonObject<BodyRequest> BODY = JsonObject.of(BodyRequest.class)
             .inline("surface", SURFACE)
-            .omitting(0.0, "mass inertia damping turnDamping")
+            .omitting(0.0, "mass inertia damping turnDamping drag rolling")
             .omitting(NONE, "maxSpeed maxTurn~")
             .omitting(BodyRequest.FLOOR_FRICTION, "floorFriction")
             .form("drive", DRIVE)
@@ -45,7 +58,8 @@ final class JsonSteps {
             .form("bodies", JsonForm.list(BODY))
             .form("commands", JsonForm.list(COMMAND))
             .form("mixing", JsonObject.of(SurfaceMixing.class))
-            .omitting(List.of(), "bodies commands")
+            .form("pushes", JsonForm.list(JsonObject.of(PushRequest.class).omitting(null, "impulse force at")))
+            .omitting(List.of(), "bodies commands pushes")
             .omitting(null, "mixing");
 
     private static final JsonObject<BodyAnswer> PLACED = JsonObject.of(BodyAnswer.class)

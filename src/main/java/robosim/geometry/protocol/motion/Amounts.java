@@ -24,6 +24,13 @@ final class Amounts {
         return value + 0.0;
     }
 
+    static double positive(String argument, double value) {
+        if (!(value >= LEAST && value <= MOST)) {
+            throw new IllegalArgumentException(argument + " must be a number from 10^-9 to 10^9 (got: " + value + ")");
+        }
+        return value;
+    }
+
     /** A quantity above zero, or zero where it is to be worked out. */
     static double orDefault(String argument, double value) {
         if (!(value == 0 || (value >= LEAST && value <= MOST))) {

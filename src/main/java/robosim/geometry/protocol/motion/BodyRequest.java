@@ -22,6 +22,8 @@ import robosim.geometry.check.Checks;
  *                    spatial world its own friction with what is below it, unless that of its surface is more
  * @param drive       what drives it; null for what it had, at first nothing: it is pushed, and rolls out
  * @param velocity    its velocity; null for what it had, at first none
+ * @param drag        quadratic drag, kg/m: at a speed v a force of {@code drag * v * v}
+ * @param rolling     rolling resistance, a share of the load; in a planar world it adds to {@code floorFriction}
  */
 public record BodyRequest(
         String objectName,
@@ -34,7 +36,9 @@ public record BodyRequest(
         double maxTurn,
         double floorFriction,
         @Nullable DriveSettings drive,
-        @Nullable Velocity velocity)
+        @Nullable Velocity velocity,
+        double drag,
+        double rolling)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -53,6 +57,37 @@ public record BodyRequest(
         maxSpeed = Amounts.limit("maxSpeed", maxSpeed);
         maxTurn = Amounts.limit("maxTurn", maxTurn);
         floorFriction = Amounts.atLeastZero("floorFriction", floorFriction);
+        drag = Amounts.atLeastZero("drag", drag);
+        rolling = Amounts.atLeastZero("rolling", rolling);
+    }
+
+    /** A body without drag and rolling resistance. */
+    public BodyRequest(
+            String objectName,
+            double mass,
+            double inertia,
+            SurfaceSettings surface,
+            double damping,
+            double turnDamping,
+            double maxSpeed,
+            double maxTurn,
+            double floorFriction,
+            @Nullable DriveSettings drive,
+            @Nullable Velocity velocity) {
+        this(
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity,
+                0,
+                0);
     }
 
     /** A smooth body of the default mass and friction on the floor, which nothing drives, dampens or limits. */
@@ -91,6 +126,24 @@ public record BodyRequest(
         return with(mass, surface, damping, turnDamping, floorFriction, drive, other);
     }
 
+    /** This body with quadratic drag, kg/m, and rolling resistance, a share of the load. */
+    public BodyRequest withDrag(double quadratic, double ofRolling) {
+        return new BodyRequest(
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity,
+                quadratic,
+                ofRolling);
+    }
+
     private BodyRequest with(
             double kg,
             SurfaceSettings by,
@@ -100,6 +153,18 @@ public record BodyRequest(
             @Nullable DriveSettings driven,
             @Nullable Velocity moving) {
         return new BodyRequest(
-                objectName, kg, inertia, by, ofSpeed, ofTurn, maxSpeed, maxTurn, onFloor, driven, moving);
+                objectName,
+                kg,
+                inertia,
+                by,
+                ofSpeed,
+                ofTurn,
+                maxSpeed,
+                maxTurn,
+                onFloor,
+                driven,
+                moving,
+                drag,
+                rolling);
     }
 }

@@ -2,6 +2,7 @@ package robosim.geometry.protocol.motion;
 
 import java.io.Serial;
 import java.io.Serializable;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 
@@ -18,6 +19,7 @@ import robosim.geometry.exact.Degrees;
  * @param maxTurnAcceleration radians a second, each second; infinite for no limit. Of an omnidirectional drive alone
  * @param centreAhead         metres from the rear axle of a car forward to the object's centre; negative where the centre is
  *                            behind it. 0 for other kinds
+ * @param swerve              the wheels of a swerve drive, which has none of the numbers above; null for other kinds
  */
 public record DriveSettings(
         Kind kind,
@@ -26,7 +28,8 @@ public record DriveSettings(
         double maxAcceleration,
         double maxTurn,
         double maxTurnAcceleration,
-        double centreAhead)
+        double centreAhead,
+        @Nullable SwerveSettings swerve)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -48,11 +51,15 @@ public record DriveSettings(
         /** Has the velocity that it is given at once. */
         VELOCITY,
         /** Newtons forward and to the right, and newton metres. */
-        FORCE;
+        FORCE,
+        /** Wheels at given places, which are steered or not: speeds forward and to the right, and a turn. */
+        SWERVE,
+        /** None: a body that is given it loses the drive that it had. */
+        NONE;
 
         /** Whether a command to the right means anything to it: wheels that do not swivel only roll. */
         public boolean canGoSideways() {
-            return this == OMNIDIRECTIONAL || this == VELOCITY || this == FORCE;
+            return this == OMNIDIRECTIONAL || this == SWERVE || this == VELOCITY || this == FORCE;
         }
 
         /** The turn of a {@link DriveCommand}, of what people give: degrees, or newton metres for a force. */
@@ -66,7 +73,8 @@ public record DriveSettings(
                 case DIFFERENTIAL -> "base, maxSpeed and maxAcceleration";
                 case OMNIDIRECTIONAL -> "maxSpeed, maxAcceleration, maxTurn and maxTurnAcceleration";
                 case ACKERMANN -> "base, maxSpeed, maxAcceleration, maxTurn and centreAhead";
-                case VELOCITY, FORCE -> "none of these numbers";
+                case SWERVE -> "swerve alone";
+                case VELOCITY, FORCE, NONE -> "none of these numbers";
             };
         }
     }
@@ -82,7 +90,7 @@ public record DriveSettings(
         centreAhead = Amounts.finite("centreAhead", centreAhead);
         boolean isCar = kind == Kind.ACKERMANN;
         boolean isWheeled = isCar || kind == Kind.DIFFERENTIAL;
-        boolean isFree = kind == Kind.VELOCITY || kind == Kind.FORCE;
+        boolean isFree = kind == Kind.VELOCITY || kind == Kind.FORCE || kind == Kind.SWERVE || kind == Kind.NONE;
         refuse(!isWheeled && base != 0, kind, "base", base);
         refuse(!isCar && centreAhead != 0, kind, "centreAhead", centreAhead);
         refuse(isFree && maxSpeed < Double.POSITIVE_INFINITY, kind, "maxSpeed", maxSpeed);
@@ -93,9 +101,32 @@ public record DriveSettings(
                 kind,
                 "maxTurnAcceleration",
                 maxTurnAcceleration);
+        if (kind == Kind.SWERVE ? swerve == null : swerve != null) {
+            throw new IllegalArgumentException(
+                    "swerve must be given for a drive of kind SWERVE, and must be left out for a drive of"
+                            + " another kind (got: " + swerve + " for " + kind + ")");
+        }
         if (isCar && maxTurn < Double.POSITIVE_INFINITY && maxTurn >= Math.PI / 2) {
             throw new IllegalArgumentException("maxTurn of a car must be below pi/2 (got: " + maxTurn + ")");
         }
+    }
+
+    /** A drive whose wheels are not at given places. */
+    public DriveSettings(
+            Kind kind,
+            double base,
+            double maxSpeed,
+            double maxAcceleration,
+            double maxTurn,
+            double maxTurnAcceleration,
+            double centreAhead) {
+        this(kind, base, maxSpeed, maxAcceleration, maxTurn, maxTurnAcceleration, centreAhead, null);
+    }
+
+    /** A swerve drive. */
+    public static DriveSettings of(SwerveSettings swerve) {
+        double none = Double.POSITIVE_INFINITY;
+        return new DriveSettings(Kind.SWERVE, 0, none, none, none, none, 0, Checks.present("swerve", swerve));
     }
 
     /** A drive whose object's centre is on the rear axle, if it is a car. */

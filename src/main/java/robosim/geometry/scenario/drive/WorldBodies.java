@@ -40,6 +40,8 @@ public final class WorldBodies {
                 body.maxTurn() == Double.POSITIVE_INFINITY ? body.maxTurn() : Degrees.toRadians(body.maxTurn()),
                 body.floorFriction(),
                 drive == null ? null : BodyRequests.of(drive),
-                null);
+                null,
+                body.drag(),
+                body.rolling());
     }
 }

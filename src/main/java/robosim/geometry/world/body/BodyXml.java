@@ -1,13 +1,17 @@
 package robosim.geometry.world.body;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.DifferentialDrive;
 import robosim.geometry.dynamics.Drive;
 import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.Motor;
 import robosim.geometry.dynamics.OmnidirectionalDrive;
 import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.SwerveDrive;
 import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
@@ -43,6 +47,8 @@ public final class BodyXml {
                 number(from, "turnDamping", 0),
                 number(from, "maxSpeed", NONE),
                 number(from, "maxTurn", NONE),
+                number(from, "drag", 0),
+                number(from, "rolling", 0),
                 drive);
     }
 
@@ -71,14 +77,70 @@ public final class BodyXml {
                 yield new AckermannDrive(
                         number(from, "base", box.width()), turn == NONE ? STEERING : turn, speed, acceleration);
             }
+            case "swerve" -> {
+                refuse(from, kind, "base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration");
+                yield swerve(from, box);
+            }
             case "velocity", "force" -> {
                 refuse(from, kind, "base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration");
                 yield kind.equals("force") ? new ForceDrive(0, 0, 0) : new VelocityDrive(new Twist(0, 0, 0, 0));
             }
             default ->
                 throw new IllegalArgumentException(
-                        "kind must be differential, omnidirectional, ackermann, velocity or force (got: " + kind + ")");
+                        "kind must be differential, omnidirectional, ackermann, swerve, velocity or force (got: " + kind
+                                + ")");
         };
+    }
+
+    /** Wheels where the file has them, or in the corners of the object. */
+    private static SwerveDrive swerve(Attributes from, Bounds box) {
+        String wheels = from.get("wheels");
+        List<SwerveDrive.Module> modules = new ArrayList<>();
+        if (wheels == null) {
+            modules.addAll(SwerveDrive.of(box.width(), box.length(), null, 0).modules());
+        } else {
+            String[] numbers = wheels.strip().split("\\s+");
+            if (numbers.length % 2 != 0) {
+                throw new IllegalArgumentException(
+                        "wheels must have two numbers for each, forward and to the right (got: " + wheels + ")");
+            }
+            for (int k = 0; k < numbers.length; k += 2) {
+                modules.add(new SwerveDrive.Module(Numbers.parse(numbers[k]), Numbers.parse(numbers[k + 1])));
+            }
+        }
+        Motor motor = from.get("stallTorque") == null
+                ? null
+                : new Motor(
+                        number(from, "stallTorque", 0),
+                        number(from, "freeTurns", 0),
+                        number(from, "stallCurrent", 0),
+                        number(from, "gearRatio", 1),
+                        number(from, "wheelRadius", 0),
+                        number(from, "currentLimit", NONE),
+                        number(from, "supplyResistance", 0));
+        return new SwerveDrive(modules, motor, number(from, "grip", 1), number(from, "maxSteering", NONE));
+    }
+
+    private static void write(SwerveDrive drive, BiConsumer<String, String> to) {
+        to.accept("kind", "swerve");
+        List<String> wheels = new ArrayList<>();
+        drive.modules().forEach(each -> {
+            wheels.add(Decimal.of(each.x()));
+            wheels.add(Decimal.of(each.z()));
+        });
+        to.accept("wheels", String.join(" ", wheels));
+        to.accept("grip", Decimal.of(drive.grip()));
+        unless(NONE, "maxSteering", drive.maxSteering(), to);
+        Motor motor = drive.motor();
+        if (motor != null) {
+            to.accept("stallTorque", Decimal.of(motor.stallTorque()));
+            to.accept("freeTurns", Decimal.of(motor.freeTurns()));
+            to.accept("stallCurrent", Decimal.of(motor.stallCurrent()));
+            to.accept("gearRatio", Decimal.of(motor.gearRatio()));
+            to.accept("wheelRadius", Decimal.of(motor.wheelRadius()));
+            unless(NONE, "currentLimit", motor.currentLimit(), to);
+            unless(0, "supplyResistance", motor.supplyResistance(), to);
+        }
     }
 
     private static void refuse(Attributes from, String kind, String... names) {
@@ -118,6 +180,8 @@ public final class BodyXml {
         unless(0, "turnDamping", body.turnDamping(), to);
         unless(NONE, "maxSpeed", body.maxSpeed(), to);
         unless(NONE, "maxTurn", body.maxTurn(), to);
+        unless(0, "drag", body.drag(), to);
+        unless(0, "rolling", body.rolling(), to);
     }
 
     /** Writes a drive, without its command. */
@@ -139,6 +203,8 @@ public final class BodyXml {
             unless(STEERING, "maxTurn", car.maxSteering(), to);
             unless(NONE, "maxSpeed", car.maxSpeed(), to);
             unless(NONE, "maxAcceleration", car.maxAcceleration(), to);
+        } else if (drive instanceof SwerveDrive swerve) {
+            write(swerve, to);
         } else {
             to.accept("kind", drive instanceof ForceDrive ? "force" : "velocity");
         }

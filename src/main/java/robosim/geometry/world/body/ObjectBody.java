@@ -18,6 +18,8 @@ import robosim.geometry.dynamics.Surface;
  * @param turnDamping   the same of the speed of turning
  * @param maxSpeed      m/s; infinite for no limit
  * @param maxTurn       degrees a second; infinite for no limit
+ * @param drag          quadratic drag, kg/m: at a speed v a force of {@code drag * v * v}
+ * @param rolling       rolling resistance, a share of the load; in a planar world it adds to {@code floorFriction}
  * @param drive         what drives it, told to stand; null if nothing does
  */
 public record ObjectBody(
@@ -29,6 +31,8 @@ public record ObjectBody(
         double turnDamping,
         double maxSpeed,
         double maxTurn,
+        double drag,
+        double rolling,
         @Nullable Drive drive) {
     /** The friction on the floor if a file does not say it, about that of a crate of wood. */
     public static final double FLOOR_FRICTION = 0.5;
@@ -36,6 +40,20 @@ public record ObjectBody(
     /** Smooth, of the default mass, inertia and friction on the floor; nothing drives, dampens or limits it. */
     public static final ObjectBody DEFAULT = new ObjectBody(
             0, 0, Surface.SMOOTH, FLOOR_FRICTION, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, null);
+
+    /** A body without drag and rolling resistance. */
+    public ObjectBody(
+            double mass,
+            double inertia,
+            Surface surface,
+            double floorFriction,
+            double damping,
+            double turnDamping,
+            double maxSpeed,
+            double maxTurn,
+            @Nullable Drive drive) {
+        this(mass, inertia, surface, floorFriction, damping, turnDamping, maxSpeed, maxTurn, 0, 0, drive);
+    }
 
     /** Refuses null, and numbers that are out of range. */
     public ObjectBody {
@@ -47,6 +65,8 @@ public record ObjectBody(
         turnDamping = Checks.size("turnDamping", turnDamping);
         maxSpeed = limit("maxSpeed", maxSpeed);
         maxTurn = limit("maxTurn", maxTurn);
+        drag = Checks.size("drag", drag);
+        rolling = Checks.size("rolling", rolling);
         if (drive instanceof AckermannDrive car && car.centreAhead() != 0) {
             throw new IllegalArgumentException(
                     "drive must have its centre on its rear axle in a world file (got: " + car + ")");
@@ -67,7 +87,8 @@ public record ObjectBody(
 
     /** This body with another surface. */
     public ObjectBody withSurface(Surface other) {
-        return new ObjectBody(mass, inertia, other, floorFriction, damping, turnDamping, maxSpeed, maxTurn, drive);
+        return new ObjectBody(
+                mass, inertia, other, floorFriction, damping, turnDamping, maxSpeed, maxTurn, drag, rolling, drive);
     }
 
     /** Whether it has nothing but a surface. */

@@ -182,6 +182,7 @@ class JsonSchemaTest {
                 "{\"type\":\"load\",\"file\":\"a\",\"files\":{\"a\":\"/wM=\"},\"named\":true,\"settings\":{\"width\":4}}");
         lines.add("{\"id\":-7,\"type\":\"moves\",\"moves\":[]}");
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
+        lines.add(JsonLines.write(StepSamples.pushing()));
         return lines;
     }
 
