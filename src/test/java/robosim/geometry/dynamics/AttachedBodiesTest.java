@@ -99,6 +99,33 @@ class AttachedBodiesTest {
                 .isEqualTo(2e-3, within(1e-8));
     }
 
+    /** An impulse, or a force for the same time, on either part acts on the whole, about its centre of mass. */
+    @Test
+    void whatPushesAPartPushesTheWhole() {
+        for (String pushed : new String[] {"a", "b"}) {
+            for (boolean isForce : new boolean[] {false, true}) {
+                Geometry world = world();
+                world.addObject(new CylinderObject(new Point(), 0.5, 1).turned(0, 30).moveable("a"));
+                disc(world, "b", 0, 2);
+                Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
+                dynamics.add("a", Body.of(1, 1));
+                dynamics.add("b", Body.of(1, 1));
+                world.attach("a", "b");
+                if (isForce) {
+                    dynamics.applyForce(pushed, new Point(4, 0, 0));
+                } else {
+                    dynamics.applyImpulse(pushed, new Point(4e-3, 0, 0));
+                }
+                dynamics.step(1e-3);
+                double side = pushed.equals("a") ? -1 : 1; // of the centre of mass, 1 m away; I = 4
+                assertThat(Math.toRadians(dynamics.velocity("a").ry())).isEqualTo(side * 1e-3, within(1e-8));
+                Twist a = dynamics.velocity("a");
+                double ahead = a.x() * Math.cos(Math.PI / 6) + a.z() * Math.sin(Math.PI / 6); // along the world's X
+                assertThat(0.5 * (ahead + dynamics.velocity("b").x())).isEqualTo(2e-3, within(1e-8));
+            }
+        }
+    }
+
     @Test
     void aWheeledCarrierFollowsItsDriveWhateverItCarries() {
         Geometry world = world();
