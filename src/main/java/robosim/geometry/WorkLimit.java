@@ -67,9 +67,33 @@ public final class WorkLimit {
         return new WorkLimit(units, Checks.present("pause", pause), together);
     }
 
-    /** Begins to count work of another kind against this limit, as that of a check, or of a loop of one's own. */
-    public Meter meter(String call) {
-        return new Meter(this, Checks.present("call", call));
+    /**
+     * Begins to count work of another kind against this limit, as that of a check, or of a loop of one's own. What is returned
+     * takes units by {@link #take}, and may be given to worlds, of which all calls count together with these; they are counted a
+     * little late: after every 256 units of a call, and the end of a call when the next one of its world begins. It is used by
+     * one thread at a time.
+     */
+    public WorkLimit meter(String call) {
+        WorkCounter work = new WorkCounter();
+        work.begin(counted, Checks.present("call", call));
+        return new WorkLimit(Long.MAX_VALUE, () -> {}, work);
+    }
+
+    /**
+     * Counts units, if this is a {@link #meter}.
+     *
+     * @param units at least 0
+     * @throws WorkLimitException if there are more than the limit allows, or it was cancelled
+     * @throws IllegalStateException if this is a limit of each call, which counts nothing itself
+     */
+    public void take(long units) {
+        if (units < 0) {
+            throw new IllegalArgumentException("units must be at least 0 (got: " + units + ")");
+        }
+        if (together == null) {
+            throw new IllegalStateException("units must be taken from what meter returns (got: a limit of each call)");
+        }
+        together.take(units);
     }
 
     /** The most units that a call may take. */
@@ -103,36 +127,6 @@ public final class WorkLimit {
     @Override
     public String toString() {
         return units == Long.MAX_VALUE ? "no limit of work" : "at most " + units + " units of work a call";
-    }
-
-    /** Counts work for one call; used by one thread at a time. */
-    public static final class Meter {
-        private final WorkCounter work = new WorkCounter();
-
-        private Meter(WorkLimit limit, String call) {
-            work.begin(limit.counted, call);
-        }
-
-        /**
-         * Counts units.
-         *
-         * @param units at least 0
-         * @throws WorkLimitException if there are more than the limit allows, or it was cancelled
-         */
-        public void take(long units) {
-            if (units < 0) {
-                throw new IllegalArgumentException("units must be at least 0 (got: " + units + ")");
-            }
-            work.take(units);
-        }
-
-        /**
-         * A limit for worlds, of which all calls count against this meter together. They are counted a little late: after every
-         * 256 units of a call, and the end of a call when the next one of its world begins.
-         */
-        public WorkLimit together() {
-            return new WorkLimit(Long.MAX_VALUE, () -> {}, work);
-        }
     }
 
     private final class Counted implements WorkCounter.Limit {

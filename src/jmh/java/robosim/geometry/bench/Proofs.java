@@ -29,7 +29,6 @@ import robosim.geometry.proof.Attempt;
 import robosim.geometry.proof.Claim;
 import robosim.geometry.proof.Proof;
 import robosim.geometry.proof.ProofChecker;
-import robosim.geometry.proof.ProofJson;
 import robosim.geometry.proof.Prover;
 import robosim.geometry.proof.Scene;
 import robosim.geometry.world.WorldReader;
@@ -129,7 +128,7 @@ public final class Proofs {
         }
         double found = least(times, finding::get);
         double checked = least(Math.max(1, times / 50), () -> checker.check(proof));
-        int bytes = ProofJson.of(proof).getBytes(StandardCharsets.UTF_8).length;
+        int bytes = proof.json().getBytes(StandardCharsets.UTF_8).length;
         table.append(String.format(
                 Locale.ROOT,
                 "| %s | %s | %s | %.1f kB | %s | %s | %s |%n",
@@ -217,7 +216,7 @@ public final class Proofs {
 
     private static List<double[]> slabs(Proof proof) {
         List<double[]> slabs = new ArrayList<>();
-        Matcher each = SLAB.matcher(ProofJson.of(proof).replaceFirst(".*\"slabs\":", ""));
+        Matcher each = SLAB.matcher(proof.json().replaceFirst(".*\"slabs\":", ""));
         while (each.find()) {
             slabs.add(Arrays.stream(each.group(1).split(","))
                     .mapToDouble(Double::parseDouble)

@@ -53,10 +53,6 @@ final class PageData {
         return out.toBytes();
     }
 
-    PageQuantization quanta() {
-        return quanta;
-    }
-
     /** What is shown less finely than it is, in words. */
     List<String> coarse() {
         return objects.coarse();

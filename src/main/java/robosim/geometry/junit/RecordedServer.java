@@ -9,9 +9,8 @@ import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
-import robosim.geometry.scenario.Recorder;
+import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.ScenarioHeader;
-import robosim.geometry.scenario.ScenarioWriter;
 
 /** The server of one test, and the recordings of its connections. */
 final class RecordedServer {
@@ -34,7 +33,7 @@ final class RecordedServer {
             recordings.add(recording);
         }
         ScenarioHeader header = new ScenarioHeader(connection, SessionOptions.ROBOSIM);
-        return new Recorder(connection, () -> ScenarioWriter.recording(recording, header, Long.MAX_VALUE), null);
+        return Recordings.ofSession(recording, header);
     }
 
     /** The recordings so far, in the order of the connections; empty for a connection without requests. */

@@ -1,7 +1,9 @@
 package robosim.geometry.model;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.List;
 import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.exact.UpwardRounding;
@@ -156,6 +158,16 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 Math.max(maxX, other.maxX),
                 Math.max(maxY, other.maxY),
                 Math.max(maxZ, other.maxZ));
+    }
+
+    /** The eight corners. */
+    public List<Point> corners() {
+        List<Point> corners = new ArrayList<>();
+        for (int corner = 0; corner < 8; corner++) {
+            corners.add(new Point(
+                    (corner & 1) == 0 ? minX : maxX, (corner & 2) == 0 ? minY : maxY, (corner & 4) == 0 ? minZ : maxZ));
+        }
+        return corners;
     }
 
     /** Extent along X in world units. */

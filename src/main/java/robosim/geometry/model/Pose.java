@@ -1,9 +1,12 @@
 package robosim.geometry.model;
 
 import java.util.Arrays;
+import java.util.Collection;
 import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.exact.VectorMath;
 
 /**
  * The position and attitude of an object: a centre and a rotation.
@@ -14,6 +17,9 @@ import robosim.geometry.exact.Rotations;
  * the network. Poses are equal if their centres and rotations are.
  */
 public final class Pose {
+    /** The share of the picture that what is to be seen may reach over. */
+    private static final double FILLED = 0.93;
+
     /**
      * Within the {@link #PLACE} doubles of a stored pose, the index of the centre's three rounding errors, one per
      * coordinate.
@@ -160,6 +166,103 @@ public final class Pose {
             plain[k] += 0.0;
         }
         return plain;
+    }
+
+    /**
+     * The pose of a camera that looks from one point to another, upright in the picture. One that looks straight up or down
+     * has -Z up in a picture from above and +Z up in one from below, as on a plan.
+     *
+     * @throws IllegalArgumentException if the two are the same point
+     */
+    public static Pose lookAt(Point eye, Point target) {
+        Checks.present("eye", eye);
+        Checks.present("target", target);
+        double x = target.x() - eye.x();
+        double y = target.y() - eye.y();
+        double z = target.z() - eye.z();
+        double length = VectorMath.length(x, y, z);
+        if (!(length > 0)) {
+            throw new IllegalArgumentException("target must not be the eye itself (got: " + target + ")");
+        }
+        x /= length;
+        y /= length;
+        z /= length;
+        // To the right: forward times up, which is (-z, 0, x).
+        double level = VectorMath.length(x, 0, z);
+        double rightX = level > 0x1p-20 ? -z / level : 1;
+        double rightZ = level > 0x1p-20 ? x / level : 0;
+        if (level <= 0x1p-20) {
+            x = 0;
+            z = 0;
+            y = y < 0 ? -1 : 1;
+        }
+        // Up: to the right times forward.
+        double upX = -rightZ * y;
+        double upY = rightZ * x - rightX * z;
+        double upZ = rightX * y;
+        return Pose.of(eye, 0).oriented(new double[] {x, upX, rightX, y, upY, 0, z, upZ, rightZ});
+    }
+
+    /**
+     * The pose of a camera that sees some points from a direction, from as near as it can: in the direction that decides how
+     * near that is, the points reach over 0.93 of the picture, and in both directions the border is the same on
+     * either side.
+     *
+     * @param points      at least one; of a box its {@linkplain Bounds#corners corners}
+     * @param azimuth     degrees counter-clockwise about the vertical from +X, where the camera stands as seen from the points
+     * @param elevation   degrees above the level at which it stands, from -90 to 90
+     * @param fieldOfView horizontal field of view in degrees, above 0 and below 180
+     * @param aspect      width of the picture over its height
+     */
+    public static Pose around(
+            Collection<Point> points, double azimuth, double elevation, double fieldOfView, double aspect) {
+        if (Checks.present("points", points).isEmpty()) {
+            throw new IllegalArgumentException("points must not be empty (got: none)");
+        }
+        Checks.angle("azimuth", azimuth);
+        if (!(elevation >= -90 && elevation <= 90)) { // written so that NaN fails it
+            throw new IllegalArgumentException("elevation must be from -90.0 to 90.0 (got: " + elevation + ")");
+        }
+        if (!(fieldOfView > 0 && fieldOfView < 180)) {
+            throw new IllegalArgumentException("fieldOfView must be above 0 and below 180 (got: " + fieldOfView + ")");
+        }
+        if (!(aspect > 0 && aspect <= 0x1p20)) {
+            throw new IllegalArgumentException("aspect must be above 0 and at most 2^20 (got: " + aspect + ")");
+        }
+        double away = Degrees.cos(elevation);
+        Point back = new Point(Degrees.cos(azimuth) * away, Degrees.sin(elevation), -Degrees.sin(azimuth) * away);
+        Pose turned = lookAt(back, new Point());
+        double[] r = turned.rotation();
+        double wide = FILLED * Degrees.sin(fieldOfView / 2) / Degrees.cos(fieldOfView / 2);
+        double high = wide / aspect;
+        // The planes on the four sides of what may be seen each touch a point: their offsets, as seen along the
+        // camera's axes.
+        double right = Double.NEGATIVE_INFINITY;
+        double left = Double.NEGATIVE_INFINITY;
+        double top = Double.NEGATIVE_INFINITY;
+        double bottom = Double.NEGATIVE_INFINITY;
+        double near = Double.POSITIVE_INFINITY;
+        double far = Double.NEGATIVE_INFINITY;
+        for (Point point : points) {
+            double ahead = r[0] * point.x() + r[3] * point.y() + r[6] * point.z();
+            double up = r[1] * point.x() + r[4] * point.y() + r[7] * point.z();
+            double aside = r[2] * point.x() + r[5] * point.y() + r[8] * point.z();
+            right = Math.max(right, aside - wide * ahead);
+            left = Math.max(left, -aside - wide * ahead);
+            top = Math.max(top, up - high * ahead);
+            bottom = Math.max(bottom, -up - high * ahead);
+            near = Math.min(near, ahead);
+            far = Math.max(far, ahead);
+        }
+        double ahead = Math.min(-(right + left) / (2 * wide), -(top + bottom) / (2 * high));
+        // In front of a single point too, and of a corner that is sharper than the picture is wide.
+        double eye = Math.min(ahead, near - Math.max((far - near) / 32, 0x1p-20 * Math.max(Math.abs(near), 0x1p-16)));
+        double up = (top - bottom) / 2;
+        double aside = (right - left) / 2;
+        return turned.movedTo(new Point(
+                r[0] * eye + r[1] * up + r[2] * aside,
+                r[3] * eye + r[4] * up + r[5] * aside,
+                r[6] * eye + r[7] * up + r[8] * aside));
     }
 
     /** The rounding error of the heading, in degrees: {@code heading() + lostHeading()} is the angle that is kept. */

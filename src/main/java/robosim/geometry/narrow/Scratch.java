@@ -9,20 +9,18 @@ import robosim.geometry.narrow.mesh.MeshScratch;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.planar.PlanarScratch;
 import robosim.geometry.narrow.ray.RayScratch;
-import robosim.geometry.narrow.sat.SatScratch;
 import robosim.geometry.narrow.sweep.SweepScratch;
 
 /**
- * The working memory of all kernels, so that a query allocates nothing: one object for each package, which holds those of the
- * packages that it imports. One for each owner of queries; never shared between threads.
+ * The working memory of all kernels, so that a query allocates nothing: one object for each package, which holds those of other
+ * packages that it needs. One for each owner of queries; never shared between threads.
  */
 public final class Scratch {
     public final LeafScratch leaf = new LeafScratch();
-    public final PlanarScratch planar = new PlanarScratch(leaf);
-    public final GjkScratch gjk = new GjkScratch(planar, leaf);
-    public final SatScratch sat = new SatScratch(gjk, leaf);
-    public final OverlapScratch overlap = new OverlapScratch(sat, gjk, planar, leaf);
-    public final RayScratch ray = new RayScratch(overlap, planar, leaf);
+    public final PlanarScratch planar = new PlanarScratch();
+    public final GjkScratch gjk = new GjkScratch();
+    public final OverlapScratch overlap = new OverlapScratch(gjk, planar, leaf);
+    public final RayScratch ray = new RayScratch(planar);
     public final DistanceScratch distance = new DistanceScratch(overlap, gjk, planar, leaf);
     public final SweepScratch sweep = new SweepScratch(overlap, leaf);
     public final MeshScratch mesh = new MeshScratch(distance, overlap, leaf);

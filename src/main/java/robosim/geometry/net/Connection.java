@@ -42,6 +42,7 @@ import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.json.WorldLoader;
 
 /**
  * One socket and its session, whichever end dialled. Nothing that a peer sends can cause a failure beyond this class.
@@ -432,12 +433,13 @@ final class Connection implements Runnable {
     }
 
     /** Reads a world file for the peer, which speaks JSON; what the file would exceed is answered as a mistake in it is. */
-    private InitBundle.Loaded load(InitBundle.Load load, MessageChannel channel, LongConsumer work) throws IOException {
+    private WorldLoader.Loaded load(WorldLoader.Load load, MessageChannel channel, LongConsumer work)
+            throws IOException {
         begin(load, System.nanoTime());
         newcomer.admit();
         isJson = true;
         try {
-            InitBundle.Loaded loaded = limited(channel, () -> {
+            WorldLoader.Loaded loaded = limited(channel, () -> {
                 try {
                     return options.worlds().load(load, work);
                 } catch (IllegalArgumentException e) { // what is asked for cannot be

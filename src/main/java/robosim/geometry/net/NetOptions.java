@@ -8,6 +8,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageTranslator;
+import robosim.geometry.protocol.json.WorldLoader;
 
 /**
  * Options of servers and clients for their connections.
@@ -33,7 +34,7 @@ public record NetOptions(
         Access access,
         @Nullable Redial redial,
         List<Bundle> opening,
-        InitBundle.Loader worlds) {
+        WorldLoader worlds) {
     /** Refuses null, except for {@code redial}, and an opening that begins without a world or has an answer. */
     public NetOptions {
         Checks.present("session", session);
@@ -65,7 +66,7 @@ public record NetOptions(
                 Access.ANYBODY,
                 null,
                 List.of(),
-                InitBundle.Loader.NONE);
+                WorldLoader.NONE);
     }
 
     /** These options with another session. */
@@ -124,7 +125,7 @@ public record NetOptions(
     }
 
     /** These options for a module that reads world files for its JSON peers. */
-    public NetOptions withWorlds(InitBundle.Loader loader) {
+    public NetOptions withWorlds(WorldLoader loader) {
         return new NetOptions(session, listeners, translator, timeouts, quotas, access, redial, opening, loader);
     }
 }

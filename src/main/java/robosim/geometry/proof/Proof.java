@@ -4,7 +4,7 @@ import robosim.geometry.check.Checks;
 
 /**
  * A claim and what it can be checked with: {@link ProofChecker} decides whether it holds, and so can a program in another language,
- * which reads {@link ProofJson}.
+ * which reads {@link #json}.
  */
 public final class Proof {
     private final Claim claim;
@@ -22,6 +22,16 @@ public final class Proof {
 
     Witness witness() {
         return witness;
+    }
+
+    /** The proof as JSON; it is about a scene that is given elsewhere. */
+    public String json() {
+        return ProofJson.of(this);
+    }
+
+    /** The proof and the scene that it is about as one object of JSON, for programs in other languages; see {@code docs/proofs.md}. */
+    public String json(Scene scene) {
+        return ProofJson.of(this, scene);
     }
 
     @Override

@@ -10,16 +10,16 @@ import robosim.geometry.model.Point;
  * Proofs and scenes as JSON, for programs in other languages: {@code docs/proofs.md} describes the form. Numbers are written such that
  * reading them as doubles gives the same bits; a number that is infinite is null.
  */
-public final class ProofJson {
+final class ProofJson {
     private ProofJson() {}
 
     /** A proof together with the scene that it is about, as one object. */
-    public static String of(Proof proof, Scene scene) {
+    static String of(Proof proof, Scene scene) {
         return "{\"scene\":" + of(scene) + ",\"proof\":" + of(proof) + "}";
     }
 
     /** The pieces of a scene, as the numbers that are stored. */
-    public static String of(Scene scene) {
+    static String of(Scene scene) {
         Checks.present("scene", scene);
         Point size = scene.size();
         StringBuilder text = new StringBuilder("{\"dimension\":\"").append(scene.dimension());
@@ -48,7 +48,7 @@ public final class ProofJson {
     }
 
     /** A proof; it is about a scene that is given elsewhere. */
-    public static String of(Proof proof) {
+    static String of(Proof proof) {
         return "{\"claim\":" + claim(Checks.present("proof", proof).claim()) + ",\"witness\":"
                 + witness(proof.witness()) + "}";
     }

@@ -8,7 +8,7 @@
  *   <li>{@link MoveBundle}: moves, each a {@link MoveRequest}; answered by those that were made
  *   <li>{@link SonarRequestBundle}: sonars, each a {@link SonarRequest} with a {@link Beam}; answered by a {@link
  *       DistanceBundle}
- *   <li>{@link StepBundle}: lets time pass; {@link robosim.geometry.protocol.motion} has its parts
+ *   <li>{@link StepBundle}: lets time pass, as {@code docs/protocol.md} describes it
  *   <li>{@link BatchRequestBundle}: several requests in one message, as {@code docs/protocol.md} describes them;
  *       answered by a {@link BatchAnswerBundle}
  *   <li>{@link Reply}: an answer, and each {@link Problem} of its request

@@ -7,14 +7,13 @@
  *   <li>{@link ColorFrame}: a picture: colours and depths of its pixels
  *   <li>{@link Light}: a sun, a lamp or a spot
  *   <li>{@link Lighting}: all lights and the {@link Sky}
- *   <li>{@link Viewpoints}: poses for cameras: towards a point, around it, with a whole box in the picture
  * </ul>
  *
  * <pre>{@code
  * Geometry world = new Geometry(20, 10, 20);
  * world.addObject(new BoxObject(new Point(0, -0.5, 0), 20, 1, 20).withMaterial(Material.of(Color.parse("#b8b0a0"))));
  * world.addObject(new SphereObject(new Point(0, 1.1, 0), 1).withMaterial(Material.of(Color.parse("#d04020"))));
- * ColorCamera camera = ColorCamera.of(64, 48, 60).at(Viewpoints.lookAt(new Point(-4, 3, 5), new Point(0, 1, 0)));
+ * ColorCamera camera = ColorCamera.of(64, 48, 60).at(Pose.lookAt(new Point(-4, 3, 5), new Point(0, 1, 0)));
  * ColorFrame frame = new ColorFrame();
  * camera.render(world, frame);
  * frame.width();             // 64

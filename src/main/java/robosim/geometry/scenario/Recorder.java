@@ -18,7 +18,7 @@ import robosim.geometry.protocol.Reply;
  * <p>Recording never disturbs the session: if it cannot go on, because the disk is full or for any other reason, it
  * stops with a line in the log, and what has been written stays. It may be used by one thread at a time.
  */
-public final class Recorder implements SessionListener, AutoCloseable {
+final class Recorder implements SessionListener, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Recorder.class.getPackageName());
 
     private final String name;

@@ -73,6 +73,13 @@ public final class Recordings implements Function<String, SessionListener> {
         return new Recordings(name -> file, session, DEFAULT_BYTES, Clock.systemUTC(), RecordingFile::new);
     }
 
+    /** Records one session into a stream, without times; the stream is closed at its end. */
+    public static SessionListener ofSession(OutputStream out, ScenarioHeader header) {
+        Checks.present("out", out);
+        Checks.present("header", header);
+        return new Recorder(header.title(), () -> ScenarioWriter.recording(out, header, Long.MAX_VALUE), null);
+    }
+
     /** These recordings with another maximum size of each file, at which recording stops and the session goes on. */
     public Recordings atMost(long bytes) {
         Checks.refuse(bytes < 1, "bytes must be at least 1", bytes);
@@ -105,7 +112,7 @@ public final class Recordings implements Function<String, SessionListener> {
     }
 
     @Override
-    public Recorder apply(String connection) {
+    public SessionListener apply(String connection) {
         Checks.present("connection", connection);
         return new Recorder(connection, () -> open(connection), System::nanoTime);
     }

@@ -10,7 +10,7 @@
  *   <li>{@link Step}: a request, its answer and its {@link Timing}
  *   <li>{@link ScenarioHeader}: title, module and options
  *   <li>{@link Replay}: runs a scenario and finds each {@link Mismatch}
- *   <li>{@link Recorder} and {@link Recordings}: record a session, and each session of a server
+ *   <li>{@link Recordings}: record a session, and each session of a server
  *   <li>{@link Watching}: sends running sessions to those who watch
  *   <li>{@link ScenarioException}: a file that is no scenario
  * </ul>

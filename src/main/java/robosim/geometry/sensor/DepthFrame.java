@@ -2,10 +2,11 @@ package robosim.geometry.sensor;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 
-/** An image of a {@link DepthCamera}. */
+/** An image of a {@linkplain Camera#depth depth camera}. */
 public final class DepthFrame extends RayFrame {
     /** The largest depth in millimetres that 16 bits take. */
     private static final int MOST_MILLIMETRES = 0xffff;
@@ -18,7 +19,13 @@ public final class DepthFrame extends RayFrame {
     /** An empty frame. */
     public DepthFrame() {}
 
-    void finish() {
+    @Override
+    boolean needs(SenseBuffer.Extra extra) {
+        return false;
+    }
+
+    @Override
+    void finish(RaySensor<?, ?> by) {
         RayPattern rays = rays();
         int count = rays.size();
         if (depths.length < count) {

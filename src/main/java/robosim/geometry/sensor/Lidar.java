@@ -1,6 +1,5 @@
 package robosim.geometry.sensor;
 
-import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -201,16 +200,5 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
     @Override
     Lidar with(Setup other) {
         return new Lidar(other, delays);
-    }
-
-    @Override
-    void finish(LidarFrame out) {
-        out.finish(this);
-    }
-
-    @Override
-    boolean needs(SenseBuffer.Extra extra, LidarFrame out) {
-        return out.has(LidarFrame.Extra.INTENSITIES)
-                || (out.has(LidarFrame.Extra.OBJECTS) && extra != SenseBuffer.Extra.NORMALS);
     }
 }

@@ -27,12 +27,9 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /** The same kind of sensor, set up otherwise. */
     abstract S with(Setup other);
 
-    /** Computes what the frame has beside distances, objects and normals; distances may have noise by now. */
-    void finish(F out) {}
-
-    /** Whether the frame needs something beside distances, whatever the noise. */
-    boolean needs(SenseBuffer.Extra extra, F out) {
-        return false;
+    /** What kind of sensor it is, for people. */
+    String kind() {
+        return getClass().getSimpleName();
     }
 
     /**
@@ -151,9 +148,9 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
         Checks.present("out", out);
         boolean needsIncidence = setup.noise().needsIncidence();
         out.prepare(
-                needs(SenseBuffer.Extra.OBJECTS, out),
-                needs(SenseBuffer.Extra.PARTS, out),
-                needs(SenseBuffer.Extra.NORMALS, out) || needsIncidence,
+                out.needs(SenseBuffer.Extra.OBJECTS),
+                out.needs(SenseBuffer.Extra.PARTS),
+                out.needs(SenseBuffer.Extra.NORMALS) || needsIncidence,
                 setup.options().width() > 0);
         setup.mounting().sense(world, setup.pattern(), setup.asked().rays(), out.buffer());
         out.filled(setup, frame);
@@ -165,7 +162,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
             }
         }
         out.measure(setup);
-        finish(out);
+        out.finish(this);
         out.finished();
     }
 
@@ -182,7 +179,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
 
     @Override
     public String toString() {
-        return getClass().getSimpleName() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options()
-                + ", " + setup.outOfRange() + ", " + setup.noise();
+        return kind() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options() + ", "
+                + setup.outOfRange() + ", " + setup.noise();
     }
 }

@@ -1,6 +1,5 @@
 package robosim.geometry.sensor;
 
-import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -14,7 +13,7 @@ import robosim.geometry.model.SenseOptions;
  * ring.pattern().size(); // 16
  * }</pre>
  */
-public final class SonarArray extends RaySensor<SonarArray, SonarFrame> {
+public final class SonarArray extends RaySensor<SonarArray, RayFrame> {
     private SonarArray(Setup setup) {
         super(setup);
     }
@@ -41,10 +40,5 @@ public final class SonarArray extends RaySensor<SonarArray, SonarFrame> {
     @Override
     SonarArray with(Setup other) {
         return new SonarArray(other);
-    }
-
-    @Override
-    boolean needs(SenseBuffer.Extra extra, SonarFrame out) {
-        return extra == SenseBuffer.Extra.OBJECTS;
     }
 }

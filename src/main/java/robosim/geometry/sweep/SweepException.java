@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /** A file of results cannot be used; names the file, the line and the reason. */
-public final class SweepException extends IOException {
+final class SweepException extends IOException {
     private static final long serialVersionUID = 1;
 
     SweepException(String message) {

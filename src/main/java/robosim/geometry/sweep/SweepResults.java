@@ -40,7 +40,7 @@ public final class SweepResults {
     /**
      * Reads files of results. If two contain the same replicate, their outcomes must be equal.
      *
-     * @throws SweepException if a file is not one of results, is damaged, or belongs to another sweep; names file and
+     * @throws IOException if a file is not one of results, is damaged, or belongs to another sweep; names file and
      *     line
      */
     public static SweepResults read(List<Path> files) throws IOException {

@@ -93,7 +93,7 @@ public final class SweepRun {
      * Carries it out.
      *
      * @return the results, those of earlier runs included
-     * @throws SweepException if the file already exists, belongs to another sweep, or cannot be written
+     * @throws IOException if the file already exists, belongs to another sweep, or cannot be written
      * @throws IllegalArgumentException if the sweep has too many replicates, or its header is too long
      */
     public SweepResults run() throws IOException, InterruptedException {

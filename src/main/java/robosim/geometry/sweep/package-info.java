@@ -11,7 +11,6 @@
  *   <li>{@link SweepResults}: reads files of results: a {@link SweepHeader}, and each {@link Outcome}
  *   <li>{@link SweepSummary}: means and spreads, as a table or a picture
  *   <li>{@link SeededRandom}: random numbers that are the same everywhere
- *   <li>{@link SweepException}: a file of results that cannot be used
  * </ul>
  *
  * <!-- java: given SweepScenario wayOut -->

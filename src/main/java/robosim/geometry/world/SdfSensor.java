@@ -14,14 +14,15 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
-import robosim.geometry.sensor.DepthCamera;
+import robosim.geometry.sensor.Camera;
+import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.Noise;
-import robosim.geometry.sensor.NormalCamera;
+import robosim.geometry.sensor.NormalFrame;
 import robosim.geometry.sensor.OutOfRange;
 import robosim.geometry.sensor.RaySensor;
-import robosim.geometry.sensor.SegmentationCamera;
+import robosim.geometry.sensor.SegmentationFrame;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
 import robosim.geometry.world.sdf.SdfShapes;
@@ -245,21 +246,21 @@ public record SdfSensor(
     }
 
     /** A depth camera. */
-    public DepthCamera depthCamera() {
+    public Camera<DepthFrame> depthCamera() {
         check(Kind.DEPTH);
-        return clipped(DepthCamera.of(intrinsics()));
+        return clipped(Camera.depth(intrinsics()));
     }
 
     /** A camera of objects and labels. */
-    public SegmentationCamera segmentationCamera() {
+    public Camera<SegmentationFrame> segmentationCamera() {
         check(Kind.SEGMENTATION);
-        return clipped(SegmentationCamera.of(intrinsics()));
+        return clipped(Camera.segmentation(intrinsics()));
     }
 
     /** A camera of normals. */
-    public NormalCamera normalCamera() {
+    public Camera<NormalFrame> normalCamera() {
         check(Kind.NORMALS);
-        return clipped(NormalCamera.of(intrinsics()));
+        return clipped(Camera.normals(intrinsics()));
     }
 
     /**

@@ -135,7 +135,7 @@ public record WorldImport(
      * @throws robosim.geometry.WorkLimitException if reading it takes more, or the limit is cancelled
      */
     public static WorldImport read(Path file, ImportOptions options, WorkLimit limit) throws WorldException {
-        WorkLimit.Meter meter = Checks.present("limit", limit).meter("reading a file");
+        WorkLimit meter = Checks.present("limit", limit).meter("reading a file");
         return FileWork.counted(meter::take, () -> read(file, options));
     }
 

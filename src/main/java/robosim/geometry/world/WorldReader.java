@@ -7,15 +7,24 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.WorkLimit;
 import robosim.geometry.check.Checks;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
+import robosim.geometry.world.shared.TextureFiles;
 
 /**
- * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
+ * Reads worlds and meshes. The format of a world is that of the schema {@code world.xsd}; docs/world-format.md explains it.
  *
  * <p>An untrusted file is safe to read: document types and entities are refused and no address is followed, mesh files
  * are read only from the world file's own folder tree, and files that are too large, or too deep or long in any part,
  * are refused. A world is read completely or not at all.
+ *
+ * <p>Meshes are read from files of Wavefront OBJ, STL, COLLADA, PLY or glTF, in the format given by the ending of the name.
+ * {@code docs/importing.md} says which parts of each format are read, ignored and refused. COLLADA is turned into metres with Y
+ * up; glTF has these already; the others are read in the units and along the axes of their files. A polygon with more than four
+ * corners, which may be concave, is cut into triangles; one that crosses itself is refused. Texture coordinates are kept, and the
+ * materials of OBJ and glTF are read, whose pictures must exist; a mesh has one material, that of most of its faces.
  *
  * <pre>{@code
  * String xml = """
@@ -85,8 +94,65 @@ public final class WorldReader {
     public static World read(InputStream in, String source, @Nullable Path base, WorkLimit limit)
             throws WorldException {
         Checks.present("in", in);
-        WorkLimit.Meter meter = Checks.present("limit", limit).meter("reading a world");
+        WorkLimit meter = Checks.present("limit", limit).meter("reading a world");
         return FileWork.counted(meter::take, () -> read(FileWork.watched(in), source, base));
+    }
+
+    /**
+     * Reads a mesh in the units of its file, or in metres where the format has them.
+     *
+     * @throws WorldException naming file and line, if the file cannot be read or contains no surface
+     */
+    public static MeshObject readMesh(Path file) throws WorldException {
+        return readMesh(file, 1);
+    }
+
+    /**
+     * Reads a mesh in other units.
+     *
+     * @param scale world units for each unit of the file, or for each metre where the format has them; above 0
+     * @throws WorldException naming file and line, if the file cannot be read or contains no surface
+     */
+    public static MeshObject readMesh(Path file, double scale) throws WorldException {
+        Checks.present("file", file);
+        MeshFiles.checkScale(scale);
+        try {
+            MeshFiles.checkNamed(file.toString());
+            return MeshFiles.read(file, scale, new TextureFiles(List.of()));
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        }
+    }
+
+    /**
+     * Reads a mesh from a stream, which is left open; without materials, which are in other files. glTF is read from files
+     * only.
+     *
+     * @param source the name of the stream in messages, with the ending of its format
+     * @param scale  world units for each unit of the stream, or for each metre where the format has them; above 0
+     * @throws WorldException naming source and line, if the stream fails or contains no surface
+     */
+    public static MeshObject readMesh(InputStream in, String source, double scale) throws WorldException {
+        Checks.present("in", in);
+        Checks.present("source", source);
+        MeshFiles.checkScale(scale);
+        try {
+            return MeshFiles.read(in, source, scale);
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        }
+    }
+
+    /**
+     * Reads a mesh from a stream as {@link #readMesh(InputStream, String, double)} does, within a limit of work.
+     *
+     * @throws robosim.geometry.WorkLimitException if reading it takes more, or the limit is cancelled
+     */
+    public static MeshObject readMesh(InputStream in, String source, double scale, WorkLimit limit)
+            throws WorldException {
+        Checks.present("in", in);
+        WorkLimit meter = Checks.present("limit", limit).meter("reading a mesh");
+        return FileWork.counted(meter::take, () -> readMesh(FileWork.watched(in), source, scale));
     }
 
     /**

@@ -8,7 +8,6 @@
  *   <li>{@link WorldReader} and {@link WorldWriter}: worlds from and to files
  *   <li>{@link WorldImport}: a world from a file of any format, and a report of what was {@link Skipped}
  *   <li>{@link ImportOptions}: what files of other formats leave open
- *   <li>{@link MeshReader}: meshes from OBJ, STL, COLLADA, PLY and glTF
  *   <li>{@link SdfSensor}: the sensors that SDFormat describes
  *   <li>{@link WorldException}: a file that cannot be used, with its line and the remedy
  * </ul>

@@ -14,7 +14,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.MeshReader;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
 
@@ -97,7 +96,7 @@ class ConvertCommandTest extends CommandRun {
         Path obj = folder.resolve("rooms.obj");
         assertThat(run("convert", "worlds/rooms.xml", obj)).isZero();
         assertThat(out.toString()).contains("Read world: object 113", "Wrote " + obj + ": 113 objects, 8 of them");
-        assertThat(MeshReader.read(obj).faces().length).isGreaterThan(5000);
+        assertThat(WorldReader.readMesh(obj).faces().length).isGreaterThan(5000);
     }
 
     @Test

@@ -19,6 +19,7 @@ import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -27,10 +28,9 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
-import robosim.geometry.scenario.Recorder;
+import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
-import robosim.geometry.scenario.ScenarioWriter;
 
 @Timeout(60)
 class ReplayCommandTest extends CommandRun {
@@ -161,13 +161,10 @@ class ReplayCommandTest extends CommandRun {
     private Path recording() throws IOException {
         Path file = folder.resolve("recorded.scenario.jsonl");
         Scenario stored = Scenario.read(STORED.resolve("wandering.scenario.jsonl"));
-        try (Recorder recorder = new Recorder(
-                "test",
-                () -> ScenarioWriter.recording(Files.newOutputStream(file), stored.header(), Long.MAX_VALUE),
-                null)) {
-            Replay replay = new Replay(stored.header().options(), recorder);
-            stored.steps().forEach(replay::step);
-        }
+        SessionListener recorder = Recordings.ofSession(Files.newOutputStream(file), stored.header());
+        Replay replay = new Replay(stored.header().options(), recorder);
+        stored.steps().forEach(replay::step);
+        recorder.ended();
         return file;
     }
 

@@ -20,9 +20,9 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.ColorFrame;
-import robosim.geometry.render.Viewpoints;
 import robosim.geometry.sweep.Outcome;
 import robosim.geometry.sweep.ParameterSweep;
 import robosim.geometry.sweep.Result;
@@ -82,7 +82,7 @@ class LimitedWorkTest {
 
     @Test
     void aPictureEndsAtItsLastUnitAndIsNoneThen() {
-        ColorCamera camera = ColorCamera.of(24, 16, 60).at(Viewpoints.lookAt(new Point(3, 3, 3), new Point(0, 0, 0)));
+        ColorCamera camera = ColorCamera.of(24, 16, 60).at(Pose.lookAt(new Point(3, 3, 3), new Point(0, 0, 0)));
         ColorFrame frame = new ColorFrame();
         endsAtItsLast(
                 world -> {
@@ -147,8 +147,8 @@ class LimitedWorkTest {
             each = world.workDone();
         }
         assertThat(each).isGreaterThan(1000);
-        WorkLimit.Meter meter = WorkLimit.of(5 * each).meter("a plan");
-        worlds.forEach(world -> world.limitWork(meter.together()));
+        WorkLimit meter = WorkLimit.of(5 * each).meter("a plan");
+        worlds.forEach(world -> world.limitWork(meter));
         int made = 0;
         while (made < 20) {
             Geometry world = worlds.get(made % 2);
@@ -187,7 +187,7 @@ class LimitedWorkTest {
 
     @Test
     void ownWorkCanBeCountedToo() {
-        WorkLimit.Meter meter = WorkLimit.of(10).meter("a search");
+        WorkLimit meter = WorkLimit.of(10).meter("a search");
         meter.take(10);
         assertThatThrownBy(() -> meter.take(1))
                 .isInstanceOf(WorkLimitException.class)

@@ -22,7 +22,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.json.WorldLoader;
 import robosim.geometry.scenario.drive.WorldLoading;
 import robosim.geometry.world.shared.RegularFile;
 
@@ -50,7 +50,7 @@ class LoadLimitTest {
         return IntStream.range(0, boxes).mapToObj(k -> BOX).collect(Collectors.joining("\n"));
     }
 
-    private static GeometryServer server(Duration time, long work, InitBundle.Loader loader) {
+    private static GeometryServer server(Duration time, long work, WorldLoader loader) {
         NetOptions options = NetOptions.defaults()
                 .withQuotas(Quotas.DEFAULT.withRequestLimit(time, work))
                 .withWorlds(loader);
@@ -62,17 +62,17 @@ class LoadLimitTest {
     }
 
     /** Keeps on loading until it is told to end, as a loader does that reads a file without an end. */
-    private static final class Endless implements InitBundle.Loader {
+    private static final class Endless implements WorldLoader {
         final CountDownLatch begun = new CountDownLatch(1);
         final CountDownLatch ended = new CountDownLatch(1);
 
         @Override
-        public InitBundle.Loaded load(InitBundle.Load load) {
+        public WorldLoader.Loaded load(WorldLoader.Load load) {
             throw new AssertionError("a server counts the work of a load");
         }
 
         @Override
-        public InitBundle.Loaded load(InitBundle.Load load, LongConsumer work) {
+        public WorldLoader.Loaded load(WorldLoader.Load load, LongConsumer work) {
             begun.countDown();
             try {
                 while (true) {
@@ -147,7 +147,7 @@ class LoadLimitTest {
     @Test
     void noFilesStayOfALoadThatIsUnderWayAtTheEnd() throws Exception {
         WorldLoading loading = WorldLoading.of(null, List.of());
-        InitBundle.Load load = new InitBundle.Load(
+        WorldLoader.Load load = new WorldLoader.Load(
                 "models/a.obj", Map.of("models/a.obj", "v 0 0 0\n".repeat(9999).getBytes(UTF_8)), null, false);
         AtomicReference<Path> opened = new AtomicReference<>();
         CountDownLatch reading = new CountDownLatch(1);

@@ -44,7 +44,6 @@ import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.protocol.json.PeerAdmission;
 import robosim.geometry.protocol.pace.MessagePace;
-import robosim.geometry.scenario.Recorder;
 import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
@@ -65,7 +64,7 @@ class NullArgumentsTest {
     private static final List<String> NOT_ASKED = List.of(
             "SessionListener",
             "PeerAdmission",
-            "Loader",
+            "WorldLoader",
             "MessagePace",
             "MessageTranslator",
             "StepReader",
@@ -129,7 +128,6 @@ class NullArgumentsTest {
             STEP,
             new Replay(SessionOptions.ROBOSIM),
             recordings,
-            new Recorder("name", () -> writer, null),
             new Watching(SessionOptions.ROBOSIM),
             Accuracy.EXACT,
             Dimension.PLANAR,

@@ -37,7 +37,6 @@ import robosim.geometry.render.ColorFrame;
 import robosim.geometry.render.Light;
 import robosim.geometry.render.Lighting;
 import robosim.geometry.render.Sky;
-import robosim.geometry.render.Viewpoints;
 
 /** A session's pictures are those of the camera, pixel by pixel. */
 class PictureSessionTest {
@@ -85,7 +84,7 @@ class PictureSessionTest {
         PictureRequest byRobot = new PictureRequest("robot", carried, CAMERA);
         assertThat(picture(byRobot)).isEqualTo(rendered(plain.on("robot", mount), world));
 
-        Pose eye = Viewpoints.lookAt(new Point(-4, 3, 5), new Point(1, 0, -1));
+        Pose eye = Pose.lookAt(new Point(-4, 3, 5), new Point(1, 0, -1));
         Mount free = new Mount(eye.center(), new Numbers(eye.rotation()));
         SceneLight light = new SceneLight(
                 Color.parse("#102030"),

@@ -22,7 +22,7 @@ import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
-import robosim.geometry.world.MeshReader;
+import robosim.geometry.world.WorldReader;
 
 /**
  * Each pixel beside that of a slow tracer that shares no code: rounded from the same number to within a hundredth, wherever rays
@@ -80,7 +80,7 @@ class AgainstSlowTracerTest {
                     .append('\n');
         }
         text.append("f 1/1 4/2 3/3 2/4\nf 4/5 6/6 5/7 3/8\n");
-        MeshObject tent = MeshReader.read(Files.writeString(folder.resolve("tent.obj"), text.toString()));
+        MeshObject tent = WorldReader.readMesh(Files.writeString(folder.resolve("tent.obj"), text.toString()));
         assertThat(tent.material().texture()).isInstanceOf(ImageTexture.class);
         assertThat(tent.textureCoordinates()).isNotNull();
         return tent;
@@ -91,7 +91,7 @@ class AgainstSlowTracerTest {
         Geometry world = new Geometry(40, 40, 40);
         objects.forEach(object -> assertThat(world.addObjectUnchecked(object)).isTrue());
         Point eye = new Point(random.next(-5, 5), random.next(2.5, 5), 6);
-        Pose pose = Viewpoints.lookAt(eye, new Point(random.next(-1, 1), 0.5, 0));
+        Pose pose = Pose.lookAt(eye, new Point(random.next(-1, 1), 0.5, 0));
         ColorFrame frame = new ColorFrame();
         ColorCamera.of(WIDTH, HEIGHT, 70)
                 .at(pose)

@@ -38,7 +38,7 @@ class ColorCameraTest {
 
     private static ColorCamera camera(int samples) {
         return ColorCamera.of(93, 61, 65)
-                .at(Viewpoints.lookAt(new Point(2, 4, 6), new Point(0, 0.5, 0)))
+                .at(Pose.lookAt(new Point(2, 4, 6), new Point(0, 0.5, 0)))
                 .withSamples(samples)
                 .withSkyRays(samples == 2 ? 3 : 0, 2);
     }
@@ -52,7 +52,7 @@ class ColorCameraTest {
         world.addObject(new BoxObject(new Point(0, 0, 3), 10, 10, 1).withMaterial(mirror));
         List<Light> lamps = Collections.nCopies(5, new Light.Lamp(new Point(1, 1, 0.5), new Color(1, 1, 1), 1));
         ColorCamera camera = ColorCamera.of(16, 16, 40)
-                .at(Viewpoints.lookAt(new Point(), new Point(0, 0.01, 3)))
+                .at(Pose.lookAt(new Point(), new Point(0, 0.01, 3)))
                 .withMirrors(7)
                 .withLighting(new Lighting(Sky.NONE, lamps));
         ColorFrame whole = new ColorFrame();
@@ -160,7 +160,7 @@ class ColorCameraTest {
         refused(
                 () -> new Light.Spot(new Point(), new Point(1, 0, 0), 180, Color.WHITE, 1),
                 "degrees must be above 0 and below 180 (got: 180.0)");
-        refused(() -> Viewpoints.lookAt(new Point(1, 2, 3), new Point(1, 2, 3)), "target must not be the eye itself");
+        refused(() -> Pose.lookAt(new Point(1, 2, 3), new Point(1, 2, 3)), "target must not be the eye itself");
         refused(() -> camera(1).on("nobody", Pose.ORIGIN).render(new Geometry(9, 9, 9), new ColorFrame()), "nobody");
         assertThat(camera(2)).isEqualTo(camera(2)).hasSameHashCodeAs(camera(2)).isNotEqualTo(camera(3));
     }

@@ -102,8 +102,8 @@ class ShadowsTest {
         int white = 0;
         for (double slope : new double[] {1, 0.1, 1e-2, 1e-4, 1e-6}) {
             for (int turn = 0; turn < 3; turn++) {
-                Pose pose = Viewpoints.lookAt(
-                        new Point(x + 0.1, y + 4 - turn * 1.3, z), new Point(x + 5, y + 0.1, z + turn - 1));
+                Pose pose =
+                        Pose.lookAt(new Point(x + 0.1, y + 4 - turn * 1.3, z), new Point(x + 5, y + 0.1, z + turn - 1));
                 Lighting lighting = sun(0.3 + turn, -slope, turn - 0.7, 100 / slope);
                 ColorFrame frame = picture(world, pose, lighting, 0);
                 for (int row = 45 + 15 * turn; row < 90; row++) {
@@ -159,7 +159,7 @@ class ShadowsTest {
                     place.x() + 4 * StrictMath.cos(angle),
                     place.y() + random.nextDouble(-2, 2),
                     place.z() + 4 * StrictMath.sin(angle));
-            Pose pose = Viewpoints.lookAt(eye, place);
+            Pose pose = Pose.lookAt(eye, place);
             Point sun = new Point(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
             Geometry world = world(List.of(object.withMaterial(WHITE)));
             // So strong that whatever faces it at all is white: a step from black to white, no black within.
@@ -310,7 +310,7 @@ class ShadowsTest {
             Point eye = placed(world, middle, ((k & 1) - 0.5) * 2 * near, ((k >> 1 & 1) - 0.5) * 2 * near, 0.1);
             ColorFrame frame = new ColorFrame();
             ColorCamera.of(40, 30, 80)
-                    .at(Viewpoints.lookAt(eye, corner))
+                    .at(Pose.lookAt(eye, corner))
                     .withLighting(lighting)
                     .withSkyRays(2, Double.POSITIVE_INFINITY)
                     .render(world, frame);
@@ -332,7 +332,7 @@ class ShadowsTest {
                 new BoxObject(new Point(0, 2.05, -1.01), 4.2, 0.1, 2).withMaterial(WHITE),
                 new BoxObject(new Point(0, 2.05, 1.01), 4.2, 0.1, 2).withMaterial(WHITE),
                 new BoxObject(new Point(0, -2.05, 0), 4.2, 0.1, 4.2).withMaterial(WHITE)));
-        Pose pose = Viewpoints.lookAt(new Point(0, 1.5, 0), new Point(0.001, -2, 0));
+        Pose pose = Pose.lookAt(new Point(0, 1.5, 0), new Point(0.001, -2, 0));
         // The slit in the ceiling is 0.02 wide, a third of a pixel, and lights a line from side to side.
         ColorFrame fine = new ColorFrame();
         ColorCamera.of(120, 90, 80)
@@ -359,7 +359,7 @@ class ShadowsTest {
                 new BoxObject(new Point(0, -0.5, 0), 20, 1, 20).withMaterial(WHITE),
                 new BoxObject(new Point(0, 1, 0), 1, 2, 1).withMaterial(WHITE)));
         // From straight above: a shadow of the box's height to the right, at 45 degrees.
-        Pose pose = Viewpoints.lookAt(new Point(0, 100, 0), new Point());
+        Pose pose = Pose.lookAt(new Point(0, 100, 0), new Point());
         ColorFrame frame = new ColorFrame();
         ColorCamera.of(400, 400, 2 * Math.toDegrees(StrictMath.atan(0.1)))
                 .at(pose)

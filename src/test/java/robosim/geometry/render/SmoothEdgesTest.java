@@ -9,11 +9,12 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 
 class SmoothEdgesTest {
     private static final ColorCamera CAMERA =
-            ColorCamera.of(150, 101, 50).at(Viewpoints.lookAt(new Point(3, 4, 6), new Point(0, 0.3, 0)));
+            ColorCamera.of(150, 101, 50).at(Pose.lookAt(new Point(3, 4, 6), new Point(0, 0.3, 0)));
 
     private static Geometry yard() {
         Geometry world = new Geometry(40, 40, 40);
@@ -81,7 +82,7 @@ class SmoothEdgesTest {
         world.addObject(new BoxObject(new Point(), 1, 1, 1)
                 .withMaterial(Material.of(Color.WHITE).withSpecular(0)));
         ColorFrame frame = new ColorFrame();
-        CAMERA.at(Viewpoints.lookAt(new Point(-3, 4, 6), new Point())).render(world, frame);
+        CAMERA.at(Pose.lookAt(new Point(-3, 4, 6), new Point())).render(world, frame);
         int pixel = frame.pixel(75, 40); // the top
         for (int shift = 0; shift <= 16; shift += 8) {
             assertThat(pixel >> shift & 0xff).isBetween(225, 254);

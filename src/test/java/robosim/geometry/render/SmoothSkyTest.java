@@ -13,6 +13,7 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 
 class SmoothSkyTest {
@@ -32,7 +33,7 @@ class SmoothSkyTest {
 
     private static ColorCamera camera() {
         return ColorCamera.of(150, 101, 50)
-                .at(Viewpoints.lookAt(new Point(3, 4, 6), new Point(0, 0.3, 0)))
+                .at(Pose.lookAt(new Point(3, 4, 6), new Point(0, 0.3, 0)))
                 .withSamples(2);
     }
 
@@ -78,7 +79,7 @@ class SmoothSkyTest {
         world.addObjectUnchecked(new BoxObject(new Point(0, 1, -1), 4, 2, 1));
         ColorFrame frame = new ColorFrame();
         ColorCamera.of(160, 100, 50)
-                .at(Viewpoints.lookAt(new Point(1, 5, 8), new Point(0, 0, 1)))
+                .at(Pose.lookAt(new Point(1, 5, 8), new Point(0, 0, 1)))
                 .withLighting(Lighting.DAY.withoutLights())
                 .withSmoothSky(1, 4)
                 .render(world, frame);
@@ -114,7 +115,7 @@ class SmoothSkyTest {
         int[] wide = pixels(
                 yard(false),
                 ColorCamera.of(256, 64, 50)
-                        .at(Viewpoints.lookAt(new Point(0, 9, 0.1), new Point(0, 0, 0)))
+                        .at(Pose.lookAt(new Point(0, 9, 0.1), new Point(0, 0, 0)))
                         .withSmoothSky(2, 0.5));
         // The floor far from everything is even, also across the borders of blocks, every 64 pixels.
         for (int x = 1; x < 60; x++) {

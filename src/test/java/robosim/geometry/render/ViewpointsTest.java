@@ -36,19 +36,20 @@ class ViewpointsTest {
             for (int k = random.nextInt(1, 5); k > 0; k--) {
                 Point corner =
                         new Point(random.nextDouble(90, 130), random.nextDouble(-9, 4), random.nextDouble(-40, 20));
-                points.addAll(Viewpoints.corners(new Bounds(
+                Bounds box = new Bounds(
                         corner.x(),
                         corner.y(),
                         corner.z(),
                         corner.x() + random.nextDouble(1, 20),
                         corner.y() + random.nextDouble(1, 20),
-                        corner.z() + random.nextDouble(1, 20))));
+                        corner.z() + random.nextDouble(1, 20));
+                points.addAll(box.corners());
             }
             double azimuth = random.nextDouble(-180, 180);
             double elevation = random.nextDouble(-90, 90);
             double fieldOfView = random.nextDouble(5, 40);
             double aspect = random.nextDouble(0.4, 2.5);
-            Pose eye = Viewpoints.around(points, azimuth, elevation, fieldOfView, aspect);
+            Pose eye = Pose.around(points, azimuth, elevation, fieldOfView, aspect);
             double[] least = {2, 2};
             double[] most = {-2, -2};
             for (Point point : points) {

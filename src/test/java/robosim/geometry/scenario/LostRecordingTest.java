@@ -15,6 +15,7 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.LogCapture;
 import robosim.geometry.net.Session;
+import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -59,7 +60,7 @@ class LostRecordingTest {
         }
     }
 
-    private static List<Reply> talk(Recorder recorder) {
+    private static List<Reply> talk(SessionListener recorder) {
         Session session = new Session(SessionOptions.ROBOSIM, recorder, "test", new QuietLog());
         List<Reply> replies = new ArrayList<>();
         for (Bundle request : requests()) {

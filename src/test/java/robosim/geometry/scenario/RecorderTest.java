@@ -25,6 +25,7 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.LogCapture;
 import robosim.geometry.net.Session;
+import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
@@ -58,7 +59,7 @@ class RecorderTest {
         return answers;
     }
 
-    private static Session session(Recorder recorder) {
+    private static Session session(SessionListener recorder) {
         return new Session(HEADER.options(), recorder, "test", new QuietLog());
     }
 

@@ -33,7 +33,6 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.ColorFrame;
-import robosim.geometry.render.Viewpoints;
 
 /** One digest of what sensors with noise and cameras see, whatever the JVM, its mathematics and the number of threads. */
 class SameFramesTest {
@@ -111,7 +110,7 @@ class SameFramesTest {
         Snapshot world = world();
         Pose mount = Pose.of(new Point(0.1, 0.4, 0), 85);
         Intrinsics lens = Intrinsics.fieldOfView(64, 48, 80);
-        LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
+        LidarFrame turn = new LidarFrame().withIntensities().withObjects();
         DepthFrame depth = new DepthFrame();
         NormalFrame normals = new NormalFrame();
         SegmentationFrame labels = new SegmentationFrame();
@@ -124,7 +123,7 @@ class SameFramesTest {
                     .read(world, frame, turn);
             add(turn.ranges());
             add(turn.intensities());
-            DepthCamera.of(lens)
+            Camera.depth(lens)
                     .withRange(0.1, 20)
                     .on("robot", mount)
                     .withNoise(NOISE.and(Noise.mixedPixels(0.3, 0.5)), 42, 2)
@@ -133,15 +132,15 @@ class SameFramesTest {
             add(depth.ranges());
             add(depth.depths());
         }
-        NormalCamera.of(lens).on("robot", mount).withThreads(threads).read(world, normals);
-        SegmentationCamera.of(lens).on("robot", mount).withThreads(threads).read(world, labels);
+        Camera.normals(lens).on("robot", mount).withThreads(threads).read(world, normals);
+        Camera.segmentation(lens).on("robot", mount).withThreads(threads).read(world, labels);
         for (int k = 0; k < labels.size(); k++) {
             add(normals.normalX(k), normals.normalY(k), normals.normalZ(k));
             add(labels.label(k));
         }
         ColorFrame picture = new ColorFrame();
         ColorCamera.of(90, 60, 70)
-                .at(Viewpoints.lookAt(new Point(-6, 5, 9), new Point(0, 0.5, 0)))
+                .at(Pose.lookAt(new Point(-6, 5, 9), new Point(0, 0.5, 0)))
                 .withSamples(2)
                 .withThreads(threads)
                 .render(world, picture);

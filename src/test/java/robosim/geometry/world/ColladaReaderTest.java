@@ -49,7 +49,7 @@ class ColladaReaderTest {
     }
 
     private static MeshObject read(String text) throws IOException {
-        return MeshReader.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), "t.dae", 1);
+        return WorldReader.readMesh(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), "t.dae", 1);
     }
 
     private static List<Point> placed(String transforms) throws IOException {
@@ -69,7 +69,7 @@ class ColladaReaderTest {
         assertThat(read(dae("<up_axis>X_UP</up_axis>", TRIANGLES, plain)).vertices())
                 .containsExactly(new Point(0, 1, 0), new Point(-1, 0, 0), new Point(0, 0, 1));
         Path file = Files.writeString(folder.resolve("t.dae"), dae("<unit meter=\"0.5\"/>", TRIANGLES, plain));
-        assertThat(MeshReader.read(file, 10).vertices().get(0)).isEqualTo(new Point(5, 0, 0));
+        assertThat(WorldReader.readMesh(file, 10).vertices().get(0)).isEqualTo(new Point(5, 0, 0));
     }
 
     /** Transforms apply from the last to the first, then those of the nodes around. */
@@ -177,7 +177,7 @@ class ColladaReaderTest {
         String text = dae("", TRIANGLES, scene(node("")));
         Path file = Files.writeString(
                 folder.resolve("a.dae"), text.replace("<node>", "<node id=\"<SketchUp>\" name='A & B'>"));
-        assertThat(MeshReader.read(file)).isEqualTo(read(text));
+        assertThat(WorldReader.readMesh(file)).isEqualTo(read(text));
     }
 
     @Test

@@ -263,9 +263,9 @@ class LimitedImportTest {
         byte[] bytes = Files.readAllBytes(kind.file(folder, 300));
         Reading reading = switch (kind) {
             case WORLD -> (in, limit) -> WorldReader.read(in, "here", null, limit);
-            case OBJ -> (in, limit) -> MeshReader.read(in, "here.obj", 1, limit);
-            case COLLADA -> (in, limit) -> MeshReader.read(in, "here.dae", 1, limit);
-            default -> (in, limit) -> MeshReader.read(in, "here.stl", 1, limit);
+            case OBJ -> (in, limit) -> WorldReader.readMesh(in, "here.obj", 1, limit);
+            case COLLADA -> (in, limit) -> WorldReader.readMesh(in, "here.dae", 1, limit);
+            default -> (in, limit) -> WorldReader.readMesh(in, "here.stl", 1, limit);
         };
         long tooFew = 0;
         long enough = 1 << 20;

@@ -51,7 +51,7 @@ class ObjMaterialsTest {
     private MeshObject read(String mtl, String obj) throws IOException {
         file("m.mtl", mtl);
         file("m.obj", "mtllib m.mtl\n" + SQUARE + obj);
-        return MeshReader.read(folder.resolve("m.obj"));
+        return WorldReader.readMesh(folder.resolve("m.obj"));
     }
 
     @Test
@@ -87,10 +87,10 @@ class ObjMaterialsTest {
         assertThat(read("newmtl a\nKd 1 0 0\n", "usemtl\nf 1 2 3\n").material().isDefault())
                 .isTrue();
         file("m.obj", "mtllib none.mtl ../../m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
-        assertThat(MeshReader.read(folder.resolve("m.obj")).material().isDefault())
+        assertThat(WorldReader.readMesh(folder.resolve("m.obj")).material().isDefault())
                 .isTrue();
         byte[] bytes = ("mtllib m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n").getBytes(StandardCharsets.UTF_8);
-        assertThat(MeshReader.read(new ByteArrayInputStream(bytes), "m.obj", 1)
+        assertThat(WorldReader.readMesh(new ByteArrayInputStream(bytes), "m.obj", 1)
                         .material()
                         .isDefault())
                 .isTrue();
@@ -103,9 +103,11 @@ class ObjMaterialsTest {
         file("a b.mtl", "newmtl x\nKd 1 0 0\n");
         file("c.mtl", "newmtl x\nKd 0 1 0\nnewmtl \u00fc\nKd 0 0 1\n");
         file("m.obj", "mtllib a b.mtl\nmtllib no.mtl c.mtl\n" + SQUARE + "usemtl x\nf 1 2 3\n");
-        assertThat(MeshReader.read(folder.resolve("m.obj")).material().color()).isEqualTo(new Color(1, 0, 0));
+        assertThat(WorldReader.readMesh(folder.resolve("m.obj")).material().color())
+                .isEqualTo(new Color(1, 0, 0));
         file("m.obj", "mtllib c.mtl\n" + SQUARE + "usemtl \u00fc\nf 1 2 3\n");
-        assertThat(MeshReader.read(folder.resolve("m.obj")).material().color()).isEqualTo(new Color(0, 0, 1));
+        assertThat(WorldReader.readMesh(folder.resolve("m.obj")).material().color())
+                .isEqualTo(new Color(0, 0, 1));
     }
 
     @Test
@@ -156,7 +158,7 @@ class ObjMaterialsTest {
         }
         file("m.mtl", "newmtl a\nmap_Kd m.png\n");
         file("m.obj", obj + "\n");
-        TriangleMesh triangles = MeshReader.read(folder.resolve("m.obj")).triangles();
+        TriangleMesh triangles = WorldReader.readMesh(folder.resolve("m.obj")).triangles();
         assertThat(triangles.size()).isEqualTo(8);
         for (int t = 0; t < 8; t++) {
             assertThat(triangles.isTextured(t)).isTrue();
@@ -277,7 +279,7 @@ class ObjMaterialsTest {
         file("materials/m.mtl", "newmtl a\nKd 0 0 1\nmap_Kd -clamp on .\\m.png\n");
         picture("materials/m.png");
         file("m.obj", "mtllib .\\materials\\m.mtl\n" + SQUARE + "usemtl a\nf 1 2 3\n");
-        assertThat(MeshReader.read(folder.resolve("m.obj")).material().texture())
+        assertThat(WorldReader.readMesh(folder.resolve("m.obj")).material().texture())
                 .isNotNull();
     }
 
@@ -307,7 +309,7 @@ class ObjMaterialsTest {
         assertThat(red.material()).isEqualTo(Material.of(new Color(1, 0, 0)));
         assertThat(red.textureCoordinates()).as("of no use without a picture").isNull();
         assertThat(((MeshObject) objects.get(2).object()).triangles()).isSameAs(first.triangles());
-        assertThatThrownBy(() -> MeshReader.read(folder.resolve("meshes/m.obj")))
+        assertThatThrownBy(() -> WorldReader.readMesh(folder.resolve("meshes/m.obj")))
                 .isInstanceOf(WorldException.class)
                 .hasMessageContaining("a picture must be below the folder of the file that is read; move it there"
                         + " (got: ../textures/m.png)");
@@ -368,7 +370,7 @@ class ObjMaterialsTest {
                         "usemtl material_2");
         assertThat(obj.lines().filter(line -> line.contains("/")))
                 .containsExactly("f 9/1 10/2 11/3 12/4", "f 9/1 10 11/3", "f 29/5 30/6 31/7 32/8", "f 29/5 30 31/7");
-        MeshObject again = MeshReader.read(folder.resolve("a b.obj"));
+        MeshObject again = WorldReader.readMesh(folder.resolve("a b.obj"));
         assertThat(again.material().texture()).isEqualTo(IMAGE);
     }
 

@@ -20,12 +20,12 @@ import robosim.geometry.model.Point;
 
 class ObjReaderTest {
     private static MeshObject read(String text) throws WorldException {
-        return MeshReader.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.ISO_8859_1)), "t.obj", 1);
+        return WorldReader.readMesh(new ByteArrayInputStream(text.getBytes(StandardCharsets.ISO_8859_1)), "t.obj", 1);
     }
 
     private static MeshObject resource(String name) throws IOException {
         try (InputStream in = Objects.requireNonNull(ObjReaderTest.class.getResourceAsStream(name))) {
-            return MeshReader.read(in, name, 1);
+            return WorldReader.readMesh(in, name, 1);
         }
     }
 
@@ -85,11 +85,12 @@ class ObjReaderTest {
     @Test
     void scales() throws WorldException {
         byte[] text = "v 1 2 -3\nf 1 1 1".getBytes(StandardCharsets.US_ASCII);
-        assertThat(MeshReader.read(new ByteArrayInputStream(text), "t.obj", 0.5).vertices())
+        assertThat(WorldReader.readMesh(new ByteArrayInputStream(text), "t.obj", 0.5)
+                        .vertices())
                 .containsExactly(new Point(0.5, 1, -1.5));
         for (double wrong : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatIllegalArgumentException()
-                    .isThrownBy(() -> MeshReader.read(new ByteArrayInputStream(text), "t.obj", wrong))
+                    .isThrownBy(() -> WorldReader.readMesh(new ByteArrayInputStream(text), "t.obj", wrong))
                     .withMessage("scale must be a number above 0, up to 2^100 (got: " + wrong + ")");
         }
     }
@@ -135,7 +136,7 @@ class ObjReaderTest {
 
     @Test
     void namesAFileThatIsNotThere() {
-        assertThatThrownBy(() -> MeshReader.read(Path.of("no such.obj")))
+        assertThatThrownBy(() -> WorldReader.readMesh(Path.of("no such.obj")))
                 .isInstanceOf(WorldException.class)
                 .hasMessage("no such.obj: there is no such file; check the path");
     }

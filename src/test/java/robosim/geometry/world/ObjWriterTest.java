@@ -32,7 +32,7 @@ class ObjWriterTest {
         }
         Path file = folder.resolve("w.obj");
         WorldWriter.writeObj(new World(100, 100, 100, all), file, done -> {});
-        return MeshReader.read(file);
+        return WorldReader.readMesh(file);
     }
 
     /** All are closed surfaces, which look outwards, of the volume that the shape has or a little less. */

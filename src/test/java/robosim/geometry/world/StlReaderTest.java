@@ -31,7 +31,7 @@ class StlReaderTest {
             "facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 1 0 0;vertex 0 1 0;endloop;endfacet;";
 
     private static MeshObject read(byte[] bytes) throws WorldException {
-        return MeshReader.read(new ByteArrayInputStream(bytes), "t.stl", 1);
+        return WorldReader.readMesh(new ByteArrayInputStream(bytes), "t.stl", 1);
     }
 
     private static MeshObject read(String text) throws WorldException {
@@ -117,12 +117,12 @@ class StlReaderTest {
     @Test
     void scales() throws WorldException {
         byte[] bytes = binary(1, 2, -3, 1, 2, -3, 1, 2, -3);
-        assertThat(MeshReader.read(new ByteArrayInputStream(bytes), "t.stl", 0.5)
+        assertThat(WorldReader.readMesh(new ByteArrayInputStream(bytes), "t.stl", 0.5)
                         .vertices())
                 .containsExactly(new Point(0.5, 1, -1.5));
         for (double wrong : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
             assertThatIllegalArgumentException()
-                    .isThrownBy(() -> MeshReader.read(new ByteArrayInputStream(bytes), "t.stl", wrong))
+                    .isThrownBy(() -> WorldReader.readMesh(new ByteArrayInputStream(bytes), "t.stl", wrong))
                     .withMessage("scale must be a number above 0, up to 2^100 (got: " + wrong + ")");
         }
     }
@@ -172,7 +172,7 @@ class StlReaderTest {
 
     @Test
     void namesAFileThatIsNotThere() {
-        assertThatThrownBy(() -> MeshReader.read(Path.of("no such.stl")))
+        assertThatThrownBy(() -> WorldReader.readMesh(Path.of("no such.stl")))
                 .isInstanceOf(WorldException.class)
                 .hasMessage("no such.stl: there is no such file; check the path");
     }

@@ -135,8 +135,8 @@ class WorldImportTest {
         MeshObject cube = (MeshObject) mesh.objects().get(0).object();
         assertThat(cube.name()).isEqualTo("unit_cube");
         assertThat(cube.vertices())
-                .isEqualTo(
-                        MeshReader.read(FILES.resolve("unit_cube.STL"), 0.001).vertices());
+                .isEqualTo(WorldReader.readMesh(FILES.resolve("unit_cube.STL"), 0.001)
+                        .vertices());
         // Its own Z points up: what is at z = 1 is at Y = 1.
         assertThat(cube.pose().rotation()).containsExactly(1, 0, 0, 0, 0, 1, 0, -1, 0);
     }
@@ -293,7 +293,7 @@ class WorldImportTest {
             WorldWriter.writeObj(world, triangles, done -> {});
             double[] least = {9e9, 9e9, 9e9};
             double[] most = {-9e9, -9e9, -9e9};
-            for (Point vertex : MeshReader.read(triangles).vertices()) {
+            for (Point vertex : WorldReader.readMesh(triangles).vertices()) {
                 double[] at = {vertex.x(), vertex.y(), vertex.z()};
                 for (int axis = 0; axis < 3; axis++) {
                     least[axis] = Math.min(least[axis], at[axis]);

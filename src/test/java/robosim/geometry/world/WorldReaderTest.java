@@ -405,7 +405,7 @@ class WorldReaderTest {
                 .hasMessage(
                         "t.xml:1: a tag with its attributes, a comment, or the space before the first tag must have at"
                                 + " most 4194304 bytes; keep large meshes in files of their own (got: more)");
-        assertThatThrownBy(() -> MeshReader.read(endless, "t.obj", 1))
+        assertThatThrownBy(() -> WorldReader.readMesh(endless, "t.obj", 1))
                 .isInstanceOf(WorldException.class)
                 .hasMessage(
                         "t.obj:1: a statement must have at most 100000 characters; end lines with a line feed, and split larger polygons (got: more)");

@@ -10,7 +10,6 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
-import robosim.geometry.render.Viewpoints;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.world.SdfSensor;
 import robosim.geometry.world.World;
@@ -193,7 +192,7 @@ public final class CameraOptions {
             }
             default -> {
                 Point eye = point("--camera", camera);
-                return List.of(one(studio, Viewpoints.lookAt(eye, target(studio))));
+                return List.of(one(studio, Pose.lookAt(eye, target(studio))));
             }
         }
     }
@@ -209,8 +208,8 @@ public final class CameraOptions {
 
     private Pose around(CameraWorld studio, double azimuth, double elevation) {
         double aspect = (double) width() / height();
-        Pose pose = Viewpoints.around(studio.outline(), azimuth, elevation, fieldOfView(40), aspect);
-        return target == null ? pose : Viewpoints.lookAt(pose.center(), target(studio));
+        Pose pose = Pose.around(studio.outline(), azimuth, elevation, fieldOfView(40), aspect);
+        return target == null ? pose : Pose.lookAt(pose.center(), target(studio));
     }
 
     private Point target(CameraWorld studio) {

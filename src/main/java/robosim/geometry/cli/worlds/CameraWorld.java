@@ -22,7 +22,6 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
-import robosim.geometry.render.Viewpoints;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.shared.Floor;
@@ -75,7 +74,9 @@ final class CameraWorld {
                         .toList()
                 : standing;
         List<Bounds> boxes = shown.stream().map(GeometryObject::bounds).toList();
-        content = boxes.isEmpty() ? empty(world) : Viewpoints.enclosing(boxes);
+        content = boxes.isEmpty()
+                ? empty(world)
+                : boxes.stream().reduce(Bounds::and).orElseThrow();
         double most = 2 * Math.max(largest(content), Math.max(world.width(), Math.max(world.height(), world.length())));
         double side = 4 * most * (ground == Ground.WIDE ? HORIZON : 1);
         geometry = new Geometry(side, side, side, Dimension.SPATIAL, world.accuracy());
@@ -169,7 +170,7 @@ final class CameraWorld {
     /** Points that all objects lie between, as seen from anywhere; few, except for a mesh that is alone. */
     List<Point> outline() {
         if (shown.isEmpty()) {
-            return Viewpoints.corners(content);
+            return content.corners();
         }
         List<Point> points = new ArrayList<>();
         for (GeometryObject object : shown) {
@@ -184,7 +185,7 @@ final class CameraWorld {
                             surface.placed(k, 2, place, 0)));
                 }
             } else {
-                points.addAll(Viewpoints.corners(object.bounds()));
+                points.addAll(object.bounds().corners());
             }
         }
         return points;

@@ -175,12 +175,6 @@ public final class ObjectRegistry {
         }
     }
 
-    /** The static objects that are shared with other worlds; null where there are none. */
-    @Nullable
-    public SharedIndex shared() {
-        return shared;
-    }
-
     /**
      * The static objects for other worlds to share: as they were shared last, unless any has come or gone since.
      *

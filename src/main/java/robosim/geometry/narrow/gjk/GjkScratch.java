@@ -1,14 +1,9 @@
 package robosim.geometry.narrow.gjk;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.narrow.leaf.LeafScratch;
-import robosim.geometry.narrow.planar.PlanarScratch;
 
 /** The working memory of algorithms that use support functions. */
 public final class GjkScratch {
-    public final PlanarScratch planar;
-    public final LeafScratch leaf;
-
     /** Distance and penetration of two leaves, in space or in the plane. */
     public final Gjk pair = new Gjk();
 
@@ -18,11 +13,6 @@ public final class GjkScratch {
     // Large objects that not every world needs are created on first use.
     private @Nullable Penetration penetration;
     private @Nullable HullOverlap hulls;
-
-    public GjkScratch(PlanarScratch planar, LeafScratch leaf) {
-        this.planar = planar;
-        this.leaf = leaf;
-    }
 
     public Penetration penetration() {
         if (penetration == null) {

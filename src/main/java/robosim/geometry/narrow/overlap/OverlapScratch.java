@@ -5,11 +5,11 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.planar.PlanarScratch;
-import robosim.geometry.narrow.sat.SatScratch;
+import robosim.geometry.narrow.sat.PolytopePolytope;
 
 /** The working memory of overlap tests. */
 public final class OverlapScratch {
-    public final SatScratch sat;
+    final PolytopePolytope polytopes = new PolytopePolytope();
     public final GjkScratch gjk;
     public final PlanarScratch planar;
     public final LeafScratch leaf;
@@ -31,8 +31,7 @@ public final class OverlapScratch {
 
     public final Leaf levelB = new Leaf();
 
-    public OverlapScratch(SatScratch sat, GjkScratch gjk, PlanarScratch planar, LeafScratch leaf) {
-        this.sat = sat;
+    public OverlapScratch(GjkScratch gjk, PlanarScratch planar, LeafScratch leaf) {
         this.gjk = gjk;
         this.planar = planar;
         this.leaf = leaf;

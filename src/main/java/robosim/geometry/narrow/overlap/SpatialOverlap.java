@@ -42,7 +42,7 @@ public final class SpatialOverlap {
 
     private static boolean ordered(Leaf a, Leaf b, OverlapScratch s) {
         if (a.kind.isPolytope() && b.kind.isPolytope()) {
-            return s.sat.polytopes.touch(a, b);
+            return s.polytopes.touch(a, b);
         }
         if (a.kind == LeafKind.SPHERE && b.kind == LeafKind.SPHERE) {
             return spheres(a, b);

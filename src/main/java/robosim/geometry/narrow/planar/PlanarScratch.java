@@ -1,12 +1,9 @@
 package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.DoubleDoubles;
-import robosim.geometry.narrow.leaf.LeafScratch;
 
 /** The working memory of planar kernels. */
 public final class PlanarScratch {
-    public final LeafScratch leaf;
-
     /** The projections of the two leaves of a planar query. */
     public final PlanarShape planarA = new PlanarShape();
 
@@ -21,8 +18,4 @@ public final class PlanarScratch {
     public final double[] planarNormal = new double[3];
 
     public final double[] planarBounds = new double[6];
-
-    public PlanarScratch(LeafScratch leaf) {
-        this.leaf = leaf;
-    }
 }

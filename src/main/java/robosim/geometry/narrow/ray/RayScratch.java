@@ -2,15 +2,11 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.BeamAxis;
 import robosim.geometry.exact.DoubleDoubles;
-import robosim.geometry.narrow.leaf.LeafScratch;
-import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.planar.PlanarScratch;
 
 /** The working memory of rays. */
 public final class RayScratch {
-    public final OverlapScratch overlap;
     public final PlanarScratch planar;
-    public final LeafScratch leaf;
 
     public final RayInterval interval = new RayInterval();
     final PlacedCylinder cylinder = new PlacedCylinder();
@@ -21,9 +17,7 @@ public final class RayScratch {
     /** A ray at the height of what it is shown to. */
     final BeamAxis level = new BeamAxis();
 
-    public RayScratch(OverlapScratch overlap, PlanarScratch planar, LeafScratch leaf) {
-        this.overlap = overlap;
+    public RayScratch(PlanarScratch planar) {
         this.planar = planar;
-        this.leaf = leaf;
     }
 }

@@ -14,7 +14,6 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.check.Text;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;
@@ -23,6 +22,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.json.JsonCodec;
 import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.PeerAdmission;
+import robosim.geometry.protocol.json.WorldLoader;
 import robosim.geometry.protocol.pace.MessagePace;
 
 /**
@@ -62,7 +62,7 @@ public final class MessageChannel {
     /** The writer, if it was created, and our stream header sent, before the peer had sent anything. */
     private @Nullable MessageWriter early;
 
-    private InitBundle.Loader worlds = InitBundle.Loader.NONE;
+    private WorldLoader worlds = WorldLoader.NONE;
     private Consumer<String> wrongRequests = reason -> {};
 
     private volatile @Nullable Codec speech;
@@ -79,7 +79,7 @@ public final class MessageChannel {
     }
 
     /** Sets what reads world files for a JSON peer; before anything is read. */
-    public void loadBy(InitBundle.Loader loader) {
+    public void loadBy(WorldLoader loader) {
         worlds = Checks.present("loader", loader);
     }
 

@@ -36,7 +36,7 @@ public final class JsonCodec {
     private final OutputStream buffered;
     private final PeerAdmission gate;
     private final Consumer<String> wrongRequests;
-    private final InitBundle.Loader worlds;
+    private final WorldLoader worlds;
     private boolean admitted;
 
     /** The id of the last message, a String or a Long, which its answer repeats; null if it has none. */
@@ -66,7 +66,7 @@ public final class JsonCodec {
             OutputStream out,
             MessagePace pace,
             PeerAdmission gate,
-            InitBundle.Loader worlds,
+            WorldLoader worlds,
             Consumer<String> wrongRequests) {
         this.lines = new LineInput(in, pace);
         this.target = out;
@@ -88,7 +88,7 @@ public final class JsonCodec {
             OutputStream out,
             MessagePace pace,
             PeerAdmission gate,
-            InitBundle.Loader worlds,
+            WorldLoader worlds,
             Consumer<String> wrongRequests) {
         Checks.present("in", in);
         Checks.present("out", out);
@@ -154,7 +154,7 @@ public final class JsonCodec {
             return null;
         }
         messageBytes = lines.count();
-        if (message instanceof InitBundle.Load load) {
+        if (message instanceof WorldLoader.Load load) {
             return load(load);
         }
         if (message instanceof JsonMessages.Ping) {
@@ -171,8 +171,8 @@ public final class JsonCodec {
     }
 
     /** Reads a world file, whose world comes as several bundles; null if it cannot be read, which has been answered. */
-    private @Nullable Bundle load(InitBundle.Load load) throws IOException {
-        InitBundle.Loaded loaded;
+    private @Nullable Bundle load(WorldLoader.Load load) throws IOException {
+        WorldLoader.Loaded loaded;
         try {
             loaded = worlds.load(load);
         } catch (ProtocolException e) { // the peer is not admitted

@@ -88,7 +88,7 @@ final class JsonMessages {
             "init",
             INIT,
             "load",
-            JsonObject.of(InitBundle.Load.class)
+            JsonObject.of(WorldLoader.Load.class)
                     .form("files", JsonForm.of(JsonMessages::files, (out, files) -> {}))
                     .optional(Map.of(), "files")
                     .form("settings", SETTINGS)
@@ -142,7 +142,7 @@ final class JsonMessages {
         }
     }
 
-    /** Reads a request: a Bundle, an {@link InitBundle.Load} or a {@link Ping}. */
+    /** Reads a request: a Bundle, an {@link WorldLoader.Load} or a {@link Ping}. */
     static Object request(String type, JsonInput in) throws IOException {
         JsonObject<?> form = REQUESTS.get(type);
         if (form == null) {

@@ -24,6 +24,7 @@ import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.WorldAnswer;
+import robosim.geometry.protocol.json.WorldLoader;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.Skipped;
@@ -36,7 +37,7 @@ import robosim.geometry.world.shared.FileWork;
  * Reads world files for the peers of a server: what they send, and what they name within one folder. What is sent is kept in
  * a temporary folder while it is read, and nothing outside of it is opened.
  */
-public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
+public final class WorldLoading implements WorldLoader, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(WorldLoading.class.getPackageName());
 
     private final @Nullable Path folder;
@@ -92,12 +93,12 @@ public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
     }
 
     @Override
-    public InitBundle.Loaded load(InitBundle.Load load) throws IOException {
+    public WorldLoader.Loaded load(WorldLoader.Load load) throws IOException {
         return load(load, units -> {});
     }
 
     @Override
-    public InitBundle.Loaded load(InitBundle.Load load, LongConsumer work) throws IOException {
+    public WorldLoader.Loaded load(WorldLoader.Load load, LongConsumer work) throws IOException {
         Checks.present("load", load);
         Checks.present("work", work);
         if (!load.files().isEmpty()) {
@@ -116,7 +117,7 @@ public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
         return read(load, folder, file, work);
     }
 
-    private InitBundle.Loaded sent(InitBundle.Load load, LongConsumer work) throws IOException {
+    private WorldLoader.Loaded sent(WorldLoader.Load load, LongConsumer work) throws IOException {
         if (!load.files().containsKey(load.file())) {
             throw new IOException("file must be one of the files sent (got: " + Text.quoted(load.file()) + ")");
         }
@@ -193,7 +194,7 @@ public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
                 "a file must be a relative path that stays in its folder (got: " + Text.quoted(name) + ")");
     }
 
-    private InitBundle.Loaded read(InitBundle.Load load, Path root, Path file, LongConsumer work) throws IOException {
+    private WorldLoader.Loaded read(WorldLoader.Load load, Path root, Path file, LongConsumer work) throws IOException {
         WorldImport read;
         try {
             read = FileWork.counted(work, () -> WorldImport.read(file, options));
@@ -215,7 +216,7 @@ public final class WorldLoading implements InitBundle.Loader, AutoCloseable {
         for (Skipped each : read.skipped()) {
             leftOut.add(new WorldAnswer.LeftOut(objects.size(), each.what(), shown(root, each.reason())));
         }
-        return new InitBundle.Loaded(requests, SessionStart.of(requests).bytes(), leftOut);
+        return new WorldLoader.Loaded(requests, SessionStart.of(requests).bytes(), leftOut);
     }
 
     /** Words without the folder in which the files are here, of which a peer knows nothing. */

@@ -184,10 +184,6 @@ public record Frame(
             return weight;
         }
 
-        public Scene.View border() {
-            return Scene.View.world(width, length);
-        }
-
         /** All objects, moveable ones last. */
         public List<Scene.Thing> things() {
             List<Scene.Thing> things = new ArrayList<>(statics);

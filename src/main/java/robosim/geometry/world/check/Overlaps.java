@@ -47,7 +47,7 @@ final class Overlaps {
     private final List<WorldObject> objects;
     private final List<Bounds> bounds;
     private final Dimension dimension;
-    private final WorkLimit.Meter meter;
+    private final WorkLimit meter;
     private final List<Overlap> found = new ArrayList<>();
     private final QuadTree fixed;
 
@@ -69,7 +69,7 @@ final class Overlaps {
     private long compared;
     private @Nullable Pile pile;
 
-    Overlaps(World world, CheckProgress watch, WorkLimit.Meter meter) {
+    Overlaps(World world, CheckProgress watch, WorkLimit meter) {
         objects = world.objects();
         dimension = world.dimension();
         this.meter = meter;

@@ -26,7 +26,7 @@ final class RobotReachability {
 
     private final World world;
     private final CheckProgress watch;
-    private final WorkLimit.Meter meter;
+    private final WorkLimit meter;
     private final List<GeometryObject> robots = new ArrayList<>();
 
     /** By robot, one with which it shares a room; in the end the same one for all robots of a room. */
@@ -38,7 +38,7 @@ final class RobotReachability {
     private final Map<String, GridSearch> byName = new HashMap<>();
 
     /** @param touching names of robots that start in contact and are not tested */
-    RobotReachability(World world, Set<String> touching, CheckProgress watch, WorkLimit.Meter meter) {
+    RobotReachability(World world, Set<String> touching, CheckProgress watch, WorkLimit meter) {
         this.world = world;
         this.watch = watch;
         this.meter = meter;
@@ -65,8 +65,8 @@ final class RobotReachability {
             }
         }
         Geometry geometry = statics.snapshot().toGeometry();
-        statics.limitWork(meter.together());
-        geometry.limitWork(meter.together());
+        statics.limitWork(meter);
+        geometry.limitWork(meter);
         for (int level = 0; level <= LEVELS; level++) {
             for (int k : toSearch(level)) {
                 search(geometry, statics, k, level);

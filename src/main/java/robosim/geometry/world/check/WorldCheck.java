@@ -125,7 +125,7 @@ public record WorldCheck(
     private static WorldCheck of(World world, CheckProgress told, boolean isWhole, WorkLimit limit) {
         Checks.present("world", world);
         Checks.present("watch", told);
-        WorkLimit.Meter meter = limit.meter("a check");
+        WorkLimit meter = limit.meter("a check");
         CheckProgress watch = (work, done, total) -> {
             meter.take(1);
             told.at(work, done, total);
@@ -183,8 +183,8 @@ public record WorldCheck(
     }
 
     /** The worlds of all settings, whose questions count from now on. */
-    private static List<SettingTally> limited(List<SettingTally> tallies, WorkLimit.Meter meter) {
-        tallies.forEach(tally -> tally.geometry.limitWork(meter.together()));
+    private static List<SettingTally> limited(List<SettingTally> tallies, WorkLimit meter) {
+        tallies.forEach(tally -> tally.geometry.limitWork(meter));
         return tallies;
     }
 

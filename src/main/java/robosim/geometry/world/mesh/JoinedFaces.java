@@ -54,11 +54,6 @@ final class JoinedFaces {
         }
     }
 
-    /** Adds all of a part of shape alone, or nothing of it. */
-    void add(List<Point> corners, List<int[]> part, AffineTransform place) {
-        add(new Part(corners, part, List.of(), new double[0], List.of()), place, name -> name);
-    }
-
     /**
      * Adds all of a part, or nothing of it.
      *

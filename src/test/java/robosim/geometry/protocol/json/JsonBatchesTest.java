@@ -22,7 +22,6 @@ import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.BatchSamples;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
@@ -205,7 +204,7 @@ class JsonBatchesTest {
                 new ByteArrayOutputStream(),
                 MessagePace.NONE,
                 PeerAdmission.OPEN,
-                InitBundle.Loader.NONE,
+                WorldLoader.NONE,
                 reason -> {});
         assertThat(codec.read()).isEqualTo(bundle);
         assertThat(codec.read()).isNull();

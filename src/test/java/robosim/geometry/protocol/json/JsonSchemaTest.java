@@ -222,7 +222,7 @@ class JsonSchemaTest {
                 PeerAdmission.OPEN);
         List<String> refusals = new ArrayList<>();
         channel.onWrongRequest(refusals::add);
-        channel.loadBy(load -> new InitBundle.Loaded(List.of(new InitBundle(List.of())), 1, List.of()));
+        channel.loadBy(load -> new WorldLoader.Loaded(List.of(new InitBundle(List.of())), 1, List.of()));
         try {
             channel.read();
         } catch (ProtocolException e) {
