@@ -48,7 +48,6 @@ class SpatialDriveCommandTest {
         assertThat(highest).isBetween(-0.24, -0.15);
         assertThat(cart(Objects.requireNonNull(last)).center().y()).isLessThan(-0.7);
         assertThat(cart(last).center().x()).isGreaterThan(3.5);
-        assertThat(run("replay", file.toString())).isZero();
         assertThat(run("check", WORLD)).as(out.toString()).isZero();
         Path page = folder.resolve("out.html");
         assertThat(run("export", file.toString(), page.toString()))

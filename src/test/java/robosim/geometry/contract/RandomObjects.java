@@ -57,18 +57,6 @@ public final class RandomObjects {
         return simple(random.nextInt(4)).turned(0, heading()).movedTo(place(spread));
     }
 
-    /** What the reference knows: all but tipped cylinders, solid meshes and moved groups. */
-    GeometryObject plain() {
-        return switch (random.nextInt(7)) {
-            case 0, 1 -> placed(simple(0), spread);
-            case 2 -> simple(1).turned(180 * random.nextInt(2), heading()).movedTo(place(spread));
-            case 3 -> placed(simple(2), spread);
-            case 4 -> placed(surface(), spread);
-            case 5 -> placed(simple(3), spread);
-            default -> new ObjectGroup(List.of(simple(1).movedTo(place(spread)), placed(simple(0), spread)));
-        };
-    }
-
     public Point place() {
         return place(spread);
     }

@@ -69,7 +69,7 @@ class CrestTest {
 
     /** Without friction a contact takes at most its impulse times the speed with which it is met. */
     @ParameterizedTest
-    @CsvSource({"11, 2.5, true", "13, 2.7, false", "15, 2.5, true", "15, 2.5, false", "18, 3, true", "22, 3.5, false"})
+    @CsvSource({"11, 2.5, true", "15, 2.5, false", "18, 3, true", "22, 3.5, false"})
     void aBoxCoastsOverARoof(double degrees, double speed, boolean isMesh) {
         world.addObject(new BoxObject(new Point(0, -2.25, 0), 19, 0.5, 6).named("floor"));
         roof(degrees, isMesh);

@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.BodyContact;
@@ -50,7 +51,7 @@ class SpatialMomentumTest {
         SplittableRandom random = new SplittableRandom(5);
         int pressed = 0;
         int all = 0;
-        for (int run = 0; run < 40; run++) {
+        for (int run = 0; run < Effort.cases(40, 16); run++) {
             double gravity = random.nextDouble(-5, 5);
             Geometry world = new Geometry(60, 8, 8);
             Surface surface = new Surface(random.nextBoolean() ? 0 : random.nextDouble(), 0, 0);
@@ -283,7 +284,7 @@ class SpatialMomentumTest {
     void aBarThatTurnsOthersGivesThemWhatItLoses(double seconds, int count, boolean isBouncing) {
         SplittableRandom random = new SplittableRandom(count == 2 ? 8 : 3);
         int pressed = 0;
-        for (int run = 0; run < (count == 2 ? 4 : 1); run++) {
+        for (int run = 0; run < (count == 2 ? Effort.cases(4, 2) : 1); run++) {
             double restitution = isBouncing ? random.nextDouble() : 0;
             Geometry world = new Geometry(60, 8, 60);
             world.addObject(new BoxObject(new Point(0, -0.5, 0), 50, 1, 50).named("floor"));

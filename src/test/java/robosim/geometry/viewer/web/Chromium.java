@@ -152,8 +152,9 @@ public final class Chromium implements AutoCloseable {
         return (Map<?, ?>) message.get("result");
     }
 
-    /** Opens a page and waits until it has loaded. */
+    /** Opens a page and waits until it has loaded; complaints of the one before are forgotten. */
     public void open(URI page) throws Exception {
+        complaints.clear();
         call("Page.navigate", "{\"url\":" + JsonText.of(page.toString()) + "}");
         until("document.readyState === 'complete'");
     }
