@@ -383,6 +383,9 @@ public final class Enclosure {
             row[to] = cx;
             row[to + 1] = cy;
             row[to + 2] = cz;
+            // The axes of a box around a round shape are rounded, while a ball allows for that in its radius.
+            boolean isRounded = accuracy == Accuracy.OBB && leaves.own().kind(0).isRound();
+            widen = isRounded ? WIDEN * size() + UNDERFLOW : 0;
         } else {
             placeMiddle(cx, cy, cz, rotation, at, row, to);
             widen = widen(row, to);
