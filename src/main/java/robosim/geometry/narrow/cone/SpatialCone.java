@@ -52,12 +52,25 @@ public final class SpatialCone {
                 return Double.POSITIVE_INFINITY;
             }
         }
+        if (kind == LeafKind.SPHERE && isSurelyFarther(beam, row, j, limit)) {
+            return Double.POSITIVE_INFINITY;
+        }
         return all(beam, kind, row, j, s);
+    }
+
+    /** Whether a ball is certainly farther than a limit, with the margin of {@link #isSurelyBeyond}. */
+    private static boolean isSurelyFarther(BeamAxis beam, double[] row, int j, double limit) {
+        double mx = row[j] - beam.ox;
+        double my = row[j + 1] - beam.oy;
+        double mz = row[j + 2] - beam.oz;
+        double r = row[j + 3];
+        double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + r;
+        return size < 0x1p400 && size > 0x1p-400 && VectorMath.length(mx, my, mz) - r - limit > 0x1p-28 * size;
     }
 
     /** The same, of all features of a leaf. */
     static double all(BeamAxis beam, LeafKind kind, double[] row, int j, ConeScratch s) {
-        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule()) && isSurelyBeyond(beam, kind, row, j)) {
+        if ((kind.isBox() || kind.isRound()) && isSurelyBeyond(beam, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
         double axis = SpatialRay.distance(beam, kind, row, j, s.ray);
@@ -87,7 +100,7 @@ public final class SpatialCone {
     }
 
     /**
-     * Whether a box, a cylinder or a capsule certainly lies beyond the plane that touches the cone along the line
+     * Whether a box or a round leaf certainly lies beyond the plane that touches the cone along the line
      * nearest to its centre m: with e the unit vector from the axis to m, the plane's normal is {@code n = e cos - u
      * sin}.
      *
@@ -100,7 +113,8 @@ public final class SpatialCone {
         double my = row[j + 1] - beam.oy;
         double mz = row[j + 2] - beam.oz;
         // for leaves of two sizes, the sixth number only adds
-        double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + row[j + 3] + row[j + 4] + row[j + 5];
+        double sizes = row[j + 3] + (kind == LeafKind.SPHERE ? 0 : row[j + 4] + row[j + 5]);
+        double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + sizes;
         if (!(size < 0x1p400 && size > 0x1p-400)) { // where no square loses bits or overflows
             return false;
         }
@@ -124,7 +138,7 @@ public final class SpatialCone {
         return gap > 0x1p-28 * size;
     }
 
-    /** The extent of a box, a cylinder or a capsule from its centre along a unit vector. */
+    /** The extent of a box or a round leaf from its centre along a unit vector. */
     private static double reach(double nx, double ny, double nz, LeafKind kind, double[] row, int j) {
         int r = j + Leaf.ROTATION;
         return switch (kind) {
@@ -139,9 +153,10 @@ public final class SpatialCone {
                 double across = Math.sqrt(Math.max(0, (1 - along) * (1 + along)) + 0x1p-29);
                 yield row[j + 3] * across + row[j + 4] * along;
             }
+            case SPHERE -> row[j + 3];
             case UPRIGHT_CAPSULE -> row[j + 3] + row[j + 4] * Math.abs(ny);
             case CAPSULE -> row[j + 3] + row[j + 4] * Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
-            case SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
+            case TRIANGLE, PRISM, MESH, SOLID_MESH, GRID -> throw kind.refused();
         };
     }
 }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.meshes.TriangleMesh;
@@ -62,8 +63,8 @@ public final class Enclosure {
     private final double[] halves = new double[5];
     private final double[] part = new double[6];
 
-    /** A centred shape in the attitude taken last, if it is its own enclosure there; null if it is not. */
-    private @Nullable LeafKind ownKind;
+    /** Whether a centred shape in the attitude taken last is enclosed in the upright box that {@link #placed} holds. */
+    private boolean isBox;
 
     private final double[] ownAttitude = new double[Attitude.STRIDE];
 
@@ -81,7 +82,7 @@ public final class Enclosure {
         accuracy = of.accuracy;
         leaves = of.leaves;
         isCentred = of.isCentred;
-        ownKind = of.ownKind;
+        isBox = of.isBox;
         placed.append(leaves.size());
         System.arraycopy(of.box, 0, box, 0, 6);
         radius = of.radius;
@@ -95,11 +96,15 @@ public final class Enclosure {
     /** Measures the leaves, which have changed. */
     void measure() {
         attitude[0] = Double.NaN;
+        radius = -1;
+        levelRadius = -1;
+        if (isCentred) {
+            measureCentred(leaves.own().kind(0), leaves.own().rows());
+            return;
+        }
         if (accuracy == Accuracy.AABB || accuracy == Accuracy.DOP) {
             return; // these are taken from the leaves as placed
         }
-        radius = -1;
-        levelRadius = -1;
         LeafColumn column = leaves.own();
         Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
         Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
@@ -110,6 +115,22 @@ public final class Enclosure {
                 LeafBounds.of(column.kind(leaf), column.rows(), leaf * Leaf.STRIDE, part);
             }
             include(part, box);
+        }
+    }
+
+    /** The box of a shape given by sizes follows from these, and the ball of a ball. */
+    private void measureCentred(LeafKind kind, double[] row) {
+        boolean isBall = kind == LeafKind.SPHERE;
+        double halfHeight = isBall ? row[3] : kind == LeafKind.CAPSULE ? UpwardRounding.sum(row[4], row[3]) : row[4];
+        box[3] = row[3];
+        box[4] = halfHeight;
+        box[5] = kind.isRound() ? row[3] : row[5];
+        for (int k = 0; k < 3; k++) {
+            box[k] = -box[3 + k];
+        }
+        if (isBall) {
+            radius = row[3];
+            levelRadius = row[3];
         }
     }
 
@@ -253,47 +274,53 @@ public final class Enclosure {
      */
     public void place(
             Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
-        if (isCentred) {
-            turnCentredTo(rotation, at);
-            if (ownKind != null) {
-                placeOwn(ownKind, cx, cy, cz, out, leaf);
-                return;
-            }
-        }
         switch (accuracy) {
             case SPHERE, OBB -> placeMeasured(dimension, cx, cy, cz, rotation, at, out, leaf);
-            case AABB -> {
-                if (isCentred) {
-                    placeOwn(LeafKind.UPRIGHT_BOX, cx, cy, cz, out, leaf);
-                } else {
+            case AABB, DOP -> {
+                if (!isCentred) {
                     turnTo(rotation, at);
                     placeAround(cx, cy, cz, out, leaf);
+                    return;
                 }
-            }
-            case DOP -> {
-                if (isCentred) {
-                    placePrism(cx, cy, cz, out, leaf);
+                turnCentredTo(rotation, at);
+                if (isBox) {
+                    placeBox(cx, cy, cz, out, leaf);
                 } else {
-                    turnTo(rotation, at);
-                    placeAround(cx, cy, cz, out, leaf);
+                    placePrism(cx, cy, cz, out, leaf);
                 }
             }
             case EXACT -> throw new IllegalArgumentException("accuracy must be below EXACT (got: EXACT)");
         }
     }
 
-    /** Places the only leaf in an attitude, and measures it, unless it was in that one last. */
+    /**
+     * Measures the only leaf in an attitude, unless it was in that one last: writes its box to {@link #placed}, or how far it
+     * extends to {@link #halves}. A box along the axes is its own octagon: the diagonal sides only touch its corners.
+     */
     private void turnCentredTo(double[] rotation, int at) {
         if (Arrays.equals(attitude, 0, 9, rotation, at, at + 9)) {
             return;
         }
-        leaves.place(0, 0, 0, rotation, at, placed, 0);
-        ownKind = isItsOwn(accuracy, placed) ? placed.kind(0) : null;
-        if (ownKind == null && accuracy == Accuracy.AABB) {
-            LeafBounds.of(placed.kind(0), placed.rows(), 0, part);
-            axisBox(part, placed, 0);
-        } else if (ownKind == null && accuracy == Accuracy.DOP) {
-            measureHalves(placed.kind(0), placed.rows());
+        isBox = accuracy == Accuracy.AABB;
+        if (leaves.own().kind(0).isRound() && Rotations.isUpright(rotation, at)) {
+            System.arraycopy(box, 3, placed.rows(), Leaf.SIZE, 3);
+            Rotations.identity(placed.rows(), Leaf.ROTATION);
+            double diagonal = ROOT_TWO * box[3];
+            halves[0] = box[3];
+            halves[1] = box[3];
+            halves[2] = diagonal;
+            halves[3] = diagonal;
+            halves[4] = box[4];
+        } else {
+            leaves.place(0, 0, 0, rotation, at, placed, 0);
+            if (isAlongAxes(placed)) {
+                isBox = true;
+            } else if (isBox) {
+                LeafBounds.of(placed.kind(0), placed.rows(), 0, part);
+                axisBox(part, placed, 0);
+            } else {
+                measureHalves(placed.kind(0), placed.rows());
+            }
         }
         System.arraycopy(rotation, at, attitude, 0, 9);
     }
@@ -326,15 +353,15 @@ public final class Enclosure {
         row[to + 1] = middle + half + widen;
     }
 
-    /** Writes the leaf that was placed last, with another centre. */
-    private void placeOwn(LeafKind kind, double cx, double cy, double cz, LeafColumn out, int leaf) {
+    /** Writes the upright box in {@link #placed} about a centre. */
+    private void placeBox(double cx, double cy, double cz, LeafColumn out, int leaf) {
         double[] row = out.rows();
         int to = leaf * Leaf.STRIDE;
         System.arraycopy(placed.rows(), 0, row, to, Leaf.STRIDE);
         row[to] = cx;
         row[to + 1] = cy;
         row[to + 2] = cz;
-        out.setKind(leaf, kind);
+        out.setKind(leaf, LeafKind.UPRIGHT_BOX);
     }
 
     /** Writes the leaf that encloses an object given by sizes where it stands; these leaves become its own. */
@@ -356,6 +383,9 @@ public final class Enclosure {
             row[to] = cx;
             row[to + 1] = cy;
             row[to + 2] = cz;
+            // The axes of a box around a round shape are rounded, while a ball allows for that in its radius.
+            boolean isRounded = accuracy == Accuracy.OBB && leaves.own().kind(0).isRound();
+            widen = isRounded ? WIDEN * size() + UNDERFLOW : 0;
         } else {
             placeMiddle(cx, cy, cz, rotation, at, row, to);
             widen = widen(row, to);
@@ -461,20 +491,9 @@ public final class Enclosure {
         }
     }
 
-    /**
-     * Whether the only leaf already is the enclosure of this accuracy. A box along the axes is its own octagon: the diagonal
-     * sides only touch its corners.
-     */
-    private static boolean isItsOwn(Accuracy accuracy, LeafColumn placed) {
-        LeafKind kind = placed.kind(0);
-        return switch (accuracy) {
-            case SPHERE -> kind == LeafKind.SPHERE;
-            case OBB -> kind.isBox();
-            case AABB, DOP ->
-                kind == LeafKind.UPRIGHT_BOX
-                        && (placed.rows()[Leaf.ROTATION] == 0 || placed.rows()[Leaf.ROTATION + 2] == 0);
-            case EXACT -> false;
-        };
+    private static boolean isAlongAxes(LeafColumn placed) {
+        double[] row = placed.rows();
+        return placed.kind(0) == LeafKind.UPRIGHT_BOX && (row[Leaf.ROTATION] == 0 || row[Leaf.ROTATION + 2] == 0);
     }
 
     private void placeMiddle(double cx, double cy, double cz, double[] rotation, int at, double[] row, int to) {
