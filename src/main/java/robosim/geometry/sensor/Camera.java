@@ -75,7 +75,7 @@ public final class Camera<F extends RayFrame> extends RaySensor<Camera<F>, F> {
 
     @Override
     public boolean equals(@Nullable Object other) {
-        return super.equals(other) && kind.equals(((Camera<?>) other).kind);
+        return other instanceof Camera<?> that && kind.equals(that.kind) && super.equals(other);
     }
 
     @Override
