@@ -16,6 +16,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
 import robosim.geometry.engine.broadphase.SharedIndex;
+import robosim.geometry.engine.objects.Attachments;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Accuracy;
@@ -385,6 +386,14 @@ public final class Snapshot implements WorldQueries, Serializable {
                 if (name != null && !names.add(name)) {
                     throw new IllegalArgumentException(
                             "name must be unique in its world (got: \"" + name + "\" again)");
+                }
+                if (Attachments.carries(object)) {
+                    Attachments.forEachPart(object, (part, pose) -> {
+                        if (!part.equals(name) && !names.add(part)) {
+                            throw new IllegalArgumentException(
+                                    "the names of loads must be unique in their world (got: \"" + part + "\" again)");
+                        }
+                    });
                 }
                 LocalLeaves.placed(object, leaves);
                 if (!worldBounds.holds(leaves, 0, leaves.size())) {

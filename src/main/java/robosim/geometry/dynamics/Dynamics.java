@@ -43,6 +43,10 @@ import robosim.geometry.model.Twist;
  * Bodies stop {@code 1e-10} metres before contact. What has no body stands still, moveable or not. The world may be changed
  * between steps. A body belongs to its object: with the object it goes, and another object of that name has none. Not thread-safe, like the world.
  *
+ * <p>In a PLANAR world, bodies whose objects are {@linkplain Geometry#attach(String, String) attached} to each other are one: their
+ * masses, moments of inertia and momenta are added up when they are attached, and what is detached goes on as fast as its place
+ * went.
+ *
  * <p>In a SPATIAL world spheres, boxes, cylinders and capsules can be bodies, and gravity pulls them. A step goes by slices of
  * a millisecond; what is decided along a way that turns, and how, is told in {@code docs/dynamics.md}.
  *
@@ -212,15 +216,12 @@ public final class Dynamics {
 
     /**
      * Drives a body from now on. In a SPATIAL world a drive acts while the body stands on something, within what friction can
-     * give there: the body's own friction is that of its surface, or {@link Body#floorFriction} if that is more.
+     * give there: the body's own friction is that of its surface, or {@link Body#floorFriction} if that is more. The drive of a body
+     * that is attached to another one waits until it is detached.
      */
     public void drive(String name, Drive drive) {
         BodyState state = state(name);
         Checks.present("drive", drive);
-        if (state.root != null) {
-            throw new IllegalArgumentException("name must be that of a body that is not attached; drive \"" + state.root
-                    + "\", or detach it (got: \"" + name + "\")");
-        }
         if (drive instanceof VelocityDrive of) {
             QuantityChecks.level("drive", of.velocity(), "where it acts along the ground");
         }

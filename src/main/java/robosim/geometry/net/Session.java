@@ -140,12 +140,7 @@ public final class Session {
         this.world = Checks.present("world", world);
         List<GeometryObject> objects = world.objects();
         about.beginWith(objects);
-        for (GeometryObject object : objects) {
-            String mover = object.name();
-            if (object.isMoveable() && mover != null) {
-                moveable.add(mover);
-            }
-        }
+        objects.forEach(object -> WorldRequests.addMovers(object, moveable));
     }
 
     /**
@@ -272,8 +267,8 @@ public final class Session {
         int index = 0;
         for (GeometryObject object : init.objects()) {
             breath.run();
-            if (add(made, aboutMade, object, index++, names) && object.isMoveable() && object.name() != null) {
-                movers.add(object.name());
+            if (add(made, aboutMade, object, index++, names)) {
+                WorldRequests.addMovers(object, movers);
             }
         }
         world = made;
@@ -305,7 +300,11 @@ public final class Session {
         if (name != null && earlier.contains(name)) {
             return "an earlier object has its name";
         }
-        return made.addObjectUnchecked(object) ? null : "it would leave the world";
+        try {
+            return made.addObjectUnchecked(object) ? null : "it would leave the world";
+        } catch (IllegalArgumentException e) {
+            return Reasons.of(e); // a load has a name that is taken
+        }
     }
 
     private Reply move(MoveBundle bundle) {

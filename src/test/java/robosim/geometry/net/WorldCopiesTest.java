@@ -137,6 +137,21 @@ class WorldCopiesTest {
     }
 
     @Test
+    void whatIsAttachedIsSoInACopy() {
+        Session many = begun(1);
+        Session single = begun(1);
+        WorldRequest.Attach attach = new WorldRequest.Attach("crate", "robot", null);
+        answers(many, attach);
+        answers(single, attach);
+        answers(many, new CopyRequest.Make(0));
+        answers(many, new WorldRequest.Detach("crate"));
+        for (int round = 0; round < 20; round++) {
+            double[] commands = {0.1, 1.5, 0, 0.1 * round - 1};
+            check((TickAnswer) answers(many, tick(commands)).get(0), 0, single, commands);
+        }
+    }
+
+    @Test
     void aCopyIsReplacedAndTheWorldStays() {
         Session session = begun(0);
         answers(session, new CopyRequest.Make(0));

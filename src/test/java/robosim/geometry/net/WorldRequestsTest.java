@@ -20,7 +20,9 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.BatchAnswerBundle;
@@ -527,6 +529,32 @@ class WorldRequestsTest extends SessionOfObjects {
                 new WorldRequest.Detach("nobody"));
         assertThat(reply.problems()).hasSize(6);
         assertThat(((BatchAnswerBundle) reply.bundle()).answers()).allMatch(NoAnswer.class::isInstance);
+    }
+
+    /** A carrier of an init: its loads have no index of their own until they are detached. */
+    @Test
+    void whatCameAttachedIsDetached() {
+        GeometryObject carrier = new ObjectGroup(List.of(
+                        ROBOT.at(Pose.ORIGIN), new BoxObject(new Point(1, 0, 0), 0.5, 0.5, 0.5).moveable("crate")))
+                .moveable("robot");
+        GeometryObject second = new ObjectGroup(List.of(
+                        new SphereObject(new Point(), 0.1).moveable("other"),
+                        new SphereObject(new Point(1, 0, 0), 0.1).moveable("crate")))
+                .moveable("other")
+                .movedTo(new Point(-5, 0, -5));
+        session.reply(new InitBundle(List.of(WALL, carrier, second), SPATIAL));
+        WorldAnswer.Described told =
+                (WorldAnswer.Described) ask(new WorldRequest.Describe()).get(0);
+        assertThat(told.added()).isEqualTo(2);
+        assertThat(told.leftOut().get(0).reason()).contains("loads must be unique");
+        var answers = ask(
+                new WorldRequest.Locate("crate"),
+                new WorldRequest.Detach("crate"),
+                new WorldRequest.ListObjects(0, 9),
+                new WorldRequest.Go("crate", 0.1, 0, 0, 0, 0));
+        assertThat(((WorldAnswer.Located) answers.get(0)).center()).isEqualTo(new Point(1, 0, 0));
+        assertThat(names(answers.get(2))).containsExactly("0 wall", "1 robot", "3 crate");
+        assertThat(((WorldAnswer.Went) answers.get(3)).made()).isTrue();
     }
 
     @Test

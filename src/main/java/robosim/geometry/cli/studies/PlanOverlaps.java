@@ -27,7 +27,7 @@ final class PlanOverlaps {
         }
         Geometry geometry = world.toGeometry(refused -> {});
         for (String name : bodies) {
-            List<String> others = !geometry.hasObject(name)
+            List<String> others = !geometry.hasObject(name) || geometry.carrierOf(name) != null
                     ? List.of()
                     : geometry.search().touching(geometry.getObject(name)).stream()
                             .filter(other -> !name.equals(other.name()))

@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
@@ -88,7 +87,9 @@ final class ObjectNumbers {
             Change change = changes.get(k);
             GeometryObject added = change.added;
             if (added == null) {
-                named.put(change.name, Objects.requireNonNull(change.number)); // all that are in the world have one
+                if (change.number != null) { // what came as a load of an object has none
+                    named.put(change.name, change.number);
+                }
             } else {
                 next--;
                 forget(added);

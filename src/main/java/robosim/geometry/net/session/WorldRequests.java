@@ -262,12 +262,20 @@ public final class WorldRequests {
         if (isAdded) {
             present += count(List.of(object));
             numbers.added(object);
-            String name = object.name();
-            if (object.isMoveable() && name != null) {
-                moveable.add(name);
-            }
+            addMovers(object, moveable);
         }
         return isAdded;
+    }
+
+    /** Adds the names of an object that may be moved, and of what is attached to it. */
+    public static void addMovers(GeometryObject object, Set<String> moveable) {
+        String name = object.name();
+        if (object.isMoveable() && name != null) {
+            moveable.add(name);
+        }
+        if (object instanceof ObjectGroup group) {
+            group.loads().forEach(load -> addMovers(load, moveable));
+        }
     }
 
     private static MoveResult go(Geometry world, WorldRequest.Go go, Watcher watcher) {

@@ -51,6 +51,7 @@ class JsonSchemaTest {
             "boundingVolume must enclose",
             "must enclose",
             "name must have a visible character",
+            "so there is none to resume",
             "must be indices",
             "faces[",
             "enclose",
