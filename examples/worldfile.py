@@ -13,7 +13,7 @@ import pathlib
 import re
 import xml.parsers.expat as expat
 
-from robosim import NotDone, drive_settings
+from robosim import NotDone, drive_settings, swerve
 
 SPACE = "urn:robosim:world:1"
 SCHEMA_HINTS = "http://www.w3.org/2001/XMLSchema-instance "
@@ -385,7 +385,10 @@ class World:
             if not moveable or len(body.named("drive")) > 1:
                 raise drive.fault("<body> must have one <drive> at most, and only that of a moveable object")
             limits = {attribute: drive.one(attribute, 0.0, least=0)
-                      for attribute in drive.attributes if attribute != "kind"}
+                      for attribute in drive.attributes if attribute not in ("kind", "wheels")}
+            if drive.attributes["kind"].strip() == "swerve":
+                told["drive"] = self.swerve(drive, limits)
+                continue
             for angle in ("maxTurn", "maxTurnAcceleration"):
                 if angle in limits:
                     limits[angle] = math.radians(limits[angle])
@@ -394,6 +397,21 @@ class World:
             except TypeError as e:
                 raise drive.fault(str(e)) from None
         return told
+
+    def swerve(self, drive, numbers):
+        """A drive of wheels at given places, as the wire has it."""
+        try:
+            places = [float(word) for word in drive.attributes.get("wheels", "").split()]
+        except ValueError:
+            places = []
+        if not places or len(places) % 2:
+            raise drive.fault("<drive> of kind swerve must have wheels here, two numbers for each"
+                              f" (got: {drive.attributes.get('wheels')})")
+        steering = math.radians(numbers.pop("maxSteering")) if "maxSteering" in numbers else math.inf
+        try:
+            return swerve(zip(places[::2], places[1::2]), numbers.pop("grip", 1.0), steering, **numbers)
+        except TypeError as e:
+            raise drive.fault(str(e)) from None
 
     def ring(self, ring):
         """The bearing of each sensor of a ring, in radians, and what asks for all of them at once."""

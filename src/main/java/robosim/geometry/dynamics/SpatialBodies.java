@@ -135,16 +135,70 @@ final class SpatialBodies {
         velocity[1] = 0;
         velocity[2] = aim.right;
         velocity[3] = Degrees.toDegrees(aim.turn);
-        Drives.next(drive, velocity, state.body, seconds);
+        drive(drive, velocity, state.body, seconds);
         aim.forward = velocity[0];
         aim.right = velocity[2];
         aim.turn = Degrees.toRadians(velocity[3]);
-        aim.acceleration = Drives.acceleration(drive, state.body);
-        aim.turnAcceleration = Drives.turnAcceleration(drive);
-        aim.rim = Drives.rim(drive);
-        aim.isAnyWay = Drives.isAnyWay(drive);
+        aim.acceleration = acceleration(drive, state.body);
+        aim.turnAcceleration = turnAcceleration(drive);
+        aim.rim = rim(drive);
+        aim.isAnyWay = isAnyWay(drive);
         aim.isForce = drive instanceof ForceDrive;
         return true;
+    }
+
+    // ---- drives on plain numbers, which allocate nothing: m/s forward, up and to the right, degrees a second ----
+
+    /** What {@link Drive#next} answers, in place. */
+    private static void drive(Drive drive, double[] v, Body body, double seconds) {
+        if (drive instanceof DifferentialDrive of) {
+            of.next(v, body, seconds);
+        } else if (drive instanceof OmnidirectionalDrive of) {
+            of.next(v, body, seconds);
+        } else if (drive instanceof AckermannDrive of) {
+            of.next(v, body, seconds);
+        } else if (drive instanceof SwerveDrive of) {
+            of.next(v, body, seconds);
+        } else if (drive instanceof VelocityDrive of) {
+            of.next(v, body);
+        } else if (drive instanceof ForceDrive of) {
+            of.next(v, body, seconds);
+        }
+    }
+
+    /** The most acceleration along the ground, m/s^2; infinite for no limit. */
+    private static double acceleration(Drive drive, Body body) {
+        if (drive instanceof SwerveDrive of) {
+            return of.acceleration(body);
+        }
+        if (drive instanceof DifferentialDrive of) {
+            return of.maxAcceleration();
+        }
+        if (drive instanceof OmnidirectionalDrive of) {
+            return of.maxAcceleration();
+        }
+        return drive instanceof AckermannDrive of ? of.maxAcceleration() : Double.POSITIVE_INFINITY;
+    }
+
+    /** Metres from the middle to each of two wheels; 0 for other drives. */
+    private static double rim(Drive drive) {
+        return drive instanceof DifferentialDrive of ? of.track() / 2 : 0;
+    }
+
+    /** The most angular acceleration, radians/s^2; infinite for no limit. */
+    private static double turnAcceleration(Drive drive) {
+        if (drive instanceof OmnidirectionalDrive of && of.maxTurnAcceleration() < Double.POSITIVE_INFINITY) {
+            return Degrees.toRadians(of.maxTurnAcceleration());
+        }
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether it may go sideways. */
+    private static boolean isAnyWay(Drive drive) {
+        return drive instanceof OmnidirectionalDrive
+                || drive instanceof SwerveDrive
+                || drive instanceof VelocityDrive
+                || drive instanceof ForceDrive;
     }
 
     static SpatialVelocity velocity(BodyState of) {

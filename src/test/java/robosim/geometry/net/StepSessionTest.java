@@ -35,6 +35,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
@@ -44,6 +45,7 @@ import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveCommand;
 import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceMixing;
 import robosim.geometry.protocol.motion.SurfaceSettings;
@@ -81,6 +83,53 @@ class StepSessionTest {
         assertThat(answer.bodies()).as("nothing is left of it").isEmpty();
         assertThat(reply.problems().get(0).reason())
                 .contains("velocity must have no part upwards in a PLANAR world; set y to 0");
+    }
+
+    @Test
+    void pushesActOnceAndWhatIsWrongIsLeftOut() {
+        Session session = session();
+        BodyRequest smooth = BodyRequest.of("crate").withMass(10).withFloorFriction(0);
+        Reply reply = reply(
+                session,
+                new StepBundle(
+                        0.5,
+                        List.of(smooth),
+                        List.of(),
+                        null,
+                        List.of(
+                                PushRequest.impulse("crate", new Point(-5, 0, 0)),
+                                PushRequest.force("wall", new Point(1, 0, 0)),
+                                PushRequest.impulse("ball", new Point(0, 1, 0)),
+                                PushRequest.force("crate", new Point(0, 0, 20)))));
+        assertThat(reply.problems()).extracting(Problem::index).containsExactly(2, 3);
+        assertThat(reply.problems().get(1).reason()).contains("impulse must be level in a PLANAR world");
+        BodyAnswer crate = ((StepBundle.Answer) reply.bundle()).bodies().get(0);
+        assertThat(crate.velocity()).isEqualTo(new Velocity(-0.5, 0, 1, 0));
+        StepBundle.Answer later = step(session, new StepBundle(0.5, List.of(), List.of()));
+        assertThat(later.bodies().get(0).velocity()).isEqualTo(new Velocity(-0.5, 0, 1, 0));
+    }
+
+    @Test
+    void aDriveOfKindNoneTakesTheDriveFromABody() {
+        Session session = session();
+        BodyRequest ball = BodyRequest.of("ball").withFloorFriction(0);
+        step(
+                session,
+                new StepBundle(
+                        1,
+                        List.of(ball.withDrive(DriveSettings.of(DriveSettings.Kind.VELOCITY))),
+                        List.of(new DriveCommand("ball", 0, 1, 0))));
+        BodyRequest coasts = ball.withDrive(DriveSettings.of(DriveSettings.Kind.NONE));
+        StepBundle.Answer answer = step(
+                session,
+                new StepBundle(
+                        1,
+                        List.of(coasts),
+                        List.of(),
+                        null,
+                        List.of(PushRequest.impulse("ball", new Point(0, 0, 0)))));
+        assertThat(answer.bodies().get(0).velocity().z()).isEqualTo(1);
+        assertThat(answer.bodies().get(0).center().z()).isEqualTo(2);
     }
 
     @Test

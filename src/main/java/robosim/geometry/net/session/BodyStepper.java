@@ -304,12 +304,15 @@ public final class BodyStepper {
         if (!bodies.contains(name)) {
             add(BodyRequest.of(name));
         }
-        Point at = push.at() == null ? object.center() : push.at();
-        if (push.impulse() != null) {
-            dynamics.applyImpulse(name, push.impulse(), at);
+        Point given = push.at();
+        Point at = given == null ? object.center() : given;
+        Point impulse = push.impulse();
+        Point force = push.force();
+        if (impulse != null) {
+            dynamics.applyImpulse(name, impulse, at);
         }
-        if (push.force() != null) {
-            dynamics.applyForce(name, push.force(), at);
+        if (force != null) {
+            dynamics.applyForce(name, force, at);
         }
     }
 
