@@ -99,8 +99,7 @@ final class BodyState implements Cloneable {
     /** Drives it from now on; the modules of a swerve drive turn from where they are. */
     void drive(@Nullable Drive by) {
         steered = by instanceof SwerveDrive swerve ? swerve : null;
-        boolean isTurning = by instanceof SwerveDrive && drive instanceof SwerveDrive;
-        drive = isTurning ? ((SwerveDrive) by).turnedFrom((SwerveDrive) drive, 0) : by;
+        drive = by instanceof SwerveDrive to && drive instanceof SwerveDrive from ? to.turnedFrom(from, 0) : by;
     }
 
     /** Takes over what drives another body. */
