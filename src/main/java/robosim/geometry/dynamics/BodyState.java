@@ -340,7 +340,7 @@ final class BodyState implements Cloneable {
         keptZ = end == 0 ? 0 : motion[3] * left;
         goesX = mean[0] - 0.5 * (motion[2] - keptX);
         goesZ = mean[1] - 0.5 * (motion[3] - keptZ);
-        if (left == 0 || end == 0 && slowing > 0) {
+        if (left == 0 || (end == 0 && slowing > 0)) {
             double speed = Math.sqrt(motion[0] * motion[0] + motion[1] * motion[1]);
             double share = 0.5 * Math.min(1, speed / slowing);
             goesX = motion[0] * share;
