@@ -152,9 +152,6 @@ class StepMessageTest {
         String step =
                 "{\"type\":\"step\",\"seconds\":0,\"bodies\":[{\"objectName\":\"b\",\"drive\":{\"kind\":\"%s\"}}]}";
         for (Kind kind : Kind.values()) {
-            if (kind == Kind.SWERVE) {
-                continue; // it needs its wheels
-            }
             StepBundle expected =
                     new StepBundle(0, List.of(BodyRequest.of("b").withDrive(DriveSettings.of(kind))), List.of());
             assertThat(JsonLines.readRequest(step.formatted(kind))).isEqualTo(expected);

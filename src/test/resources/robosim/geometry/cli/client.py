@@ -260,7 +260,7 @@ def drives(module, folder):
     refused_in(lambda: module.step(0, mixing=robosim.mixing("largest")), "GEOMETRIC_MEAN")
     refused(lambda: module.drive("nobody", 1), 'no object "nobody"')
     refused(lambda: module.drive("drum", right=0.3), "right must be 0 for a drive of kind DIFFERENTIAL; give \"drum\" a body"
-            " with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: 0.3)")
+            " with a drive of kind OMNIDIRECTIONAL, SWERVE, VELOCITY or FORCE (got: 0.3)")
     for wrong, words in ((lambda: robosim.body("cart", weight=3), "a body has no weight; it may have: mass,"),
                          (lambda: module.step(1, [{"objectName": "cart", "Mass": 3}]), "a body has no Mass"),
                          (lambda: module.step(1, [], [{"objectName": "cart", "speed": 3}]), "a command has no speed"),

@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
@@ -274,7 +273,7 @@ public final class BodyStepper {
         if (command.right() != 0 && !kind.canGoSideways()) {
             throw new IllegalArgumentException("right must be 0 for a drive of kind " + kind
                     + "; give " + Text.quoted(name)
-                    + " a body with a drive of kind OMNIDIRECTIONAL, VELOCITY or FORCE (got: "
+                    + " a body with a drive of kind OMNIDIRECTIONAL, SWERVE, VELOCITY or FORCE (got: "
                     + command.right() + ")");
         }
         if (kind == DriveSettings.Kind.ACKERMANN && !(Math.abs(command.turn()) < Math.PI / 2)) {
@@ -344,15 +343,18 @@ public final class BodyStepper {
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
             case SWERVE ->
-                swerve(object, Objects.requireNonNull(drive.swerve()))
+                swerve(object, drive.swerve())
                         .driving(command.forward(), command.right(), turn);
             case NONE -> throw new IllegalStateException("a body with a drive of kind NONE has none");
         };
     }
 
     /** A swerve drive, its modules at the angles that they have, so that each turns the shorter way. */
-    private SwerveDrive swerve(GeometryObject object, SwerveSettings asked) {
-        SwerveDrive made = BodyRequests.swerve(asked);
+    private SwerveDrive swerve(GeometryObject object, @Nullable SwerveSettings asked) {
+        Bounds box = object.turned(0, -object.heading()).bounds();
+        SwerveDrive made = asked == null
+                ? SwerveDrive.of(box.width(), box.length(), null, 1)
+                : BodyRequests.swerve(asked);
         String name = String.valueOf(object.name());
         @Nullable Drive old = dynamics.has(name) ? dynamics.drive(name) : null;
         if (!(old instanceof SwerveDrive before)

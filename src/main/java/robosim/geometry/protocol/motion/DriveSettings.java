@@ -19,7 +19,8 @@ import robosim.geometry.exact.Degrees;
  * @param maxTurnAcceleration radians a second, each second; infinite for no limit. Of an omnidirectional drive alone
  * @param centreAhead         metres from the rear axle of a car forward to the object's centre; negative where the centre is
  *                            behind it. 0 for other kinds
- * @param swerve              the wheels of a swerve drive, which has none of the numbers above; null for other kinds
+ * @param swerve              the wheels of a swerve drive, which has none of the numbers above; null for one in each corner of its
+ *                            shape with a friction of 1, and for other kinds
  */
 public record DriveSettings(
         Kind kind,
@@ -101,10 +102,9 @@ public record DriveSettings(
                 kind,
                 "maxTurnAcceleration",
                 maxTurnAcceleration);
-        if (kind == Kind.SWERVE ? swerve == null : swerve != null) {
-            throw new IllegalArgumentException(
-                    "swerve must be given for a drive of kind SWERVE, and must be left out for a drive of"
-                            + " another kind (got: " + swerve + " for " + kind + ")");
+        if (kind != Kind.SWERVE && swerve != null) {
+            throw new IllegalArgumentException("swerve must be left out for a drive of kind " + kind + ", which has "
+                    + kind.numbers() + " (got: " + swerve + ")");
         }
         if (isCar && maxTurn < Double.POSITIVE_INFINITY && maxTurn >= Math.PI / 2) {
             throw new IllegalArgumentException("maxTurn of a car must be below pi/2 (got: " + maxTurn + ")");
