@@ -99,7 +99,7 @@ public final class BodyXml {
         if (wheels == null) {
             modules.addAll(SwerveDrive.of(box.width(), box.length(), null, 0).modules());
         } else {
-            String[] numbers = wheels.strip().split("\\s+");
+            String[] numbers = wheels.strip().split("\\s+", -1);
             if (numbers.length % 2 != 0) {
                 throw new IllegalArgumentException(
                         "wheels must have two numbers for each, forward and to the right (got: " + wheels + ")");
