@@ -301,4 +301,32 @@ class ContactQueryTest {
         assertThat(contact.point().z() - contact.point().x()).isCloseTo(4, within(1e-13));
         assertThat(contact.point().x()).isBetween(-3 - 1e-13, -1.0);
     }
+
+    /** Two that overlap by 5e-11: the simplex is about the origin, and its normal leads out of the plane. */
+    @Test
+    void aThinCylinderTouchesATriangleInThePlane() {
+        double[] rotation = {
+            -0.41753447481425976,
+            -0.8670625286457093,
+            -0.2717858233243388,
+            -0.6814355904366474,
+            0.4966507705294097,
+            -0.5375719005108075,
+            0.6010910899587834,
+            -0.039250268165352376,
+            -0.7982160847922759
+        };
+        Point center = new Point(-0.27211512296964324, -0.6475845345630291, 0.9978318772131993);
+        GeometryObject cylinder =
+                new CylinderObject(center, 3.3786961201828306E-7, 2 * 0.7957065008933693).oriented(rotation);
+        GeometryObject triangle = new MeshObject(
+                List.of(
+                        new Point(-0.2721151382464034, -0.8960870818549764, 0.9978322146862126),
+                        new Point(0.28366739445176886, 0.40810098198233624, 1.646609524513796),
+                        new Point(0.47222689716729355, 0.8587851623657385, 1.4996420647711934)),
+                new int[][] {{0, 1, 2}});
+        Verdict verdict = ContactQuery.distance(cylinder, triangle, Dimension.PLANAR, Budget.UNLIMITED);
+        assertThat(verdict.low()).isZero();
+        assertThat(verdict.answer()).isNotEqualTo(Answer.NO);
+    }
 }

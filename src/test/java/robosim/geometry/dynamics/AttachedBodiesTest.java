@@ -105,7 +105,8 @@ class AttachedBodiesTest {
         for (String pushed : new String[] {"a", "b"}) {
             for (boolean isForce : new boolean[] {false, true}) {
                 Geometry world = world();
-                world.addObject(new CylinderObject(new Point(), 0.5, 1).turned(0, 30).moveable("a"));
+                world.addObject(
+                        new CylinderObject(new Point(), 0.5, 1).turned(0, 30).moveable("a"));
                 disc(world, "b", 0, 2);
                 Dynamics dynamics = new Dynamics(world, Surface.SMOOTH);
                 dynamics.add("a", Body.of(1, 1));
@@ -216,7 +217,9 @@ class AttachedBodiesTest {
             }
             contacts += dynamics.step(0.2).contacts().size();
         }
-        Pose held = world.getObject("trailer").pose().relativeTo(world.getObject("truck").pose());
+        Pose held = world.getObject("trailer")
+                .pose()
+                .relativeTo(world.getObject("truck").pose());
         assertThat(held.center().x()).isEqualTo(-1.7, within(1e-12));
         assertThat(held.center().z()).isEqualTo(0.1, within(1e-12));
         assertThat(held.heading()).isEqualTo(0, within(1e-12));

@@ -102,7 +102,8 @@ class BatchMessageTest {
         assertThat(JsonLines.readRequest(JsonLines.write(drives.get(2)))).isEqualTo(drives.get(2));
         Reply answers = new Reply(drives.get(1));
         assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
-        assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, -1, null)).hasMessageContaining("seconds");
+        assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, -1, null))
+                .hasMessageContaining("seconds");
         assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, Double.NaN, 1, null))
                 .hasMessageContaining("ry");
         assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, 1, -0.5))

@@ -65,7 +65,10 @@ public final class Arguments {
 
     /** Returns a file that can be written and does not exist yet. */
     public static Path newFile(String parameter, Path file) {
-        refuse(Files.exists(file), parameter + " must be a new file; remove this one, which is not overwritten, or choose another name", file);
+        refuse(
+                Files.exists(file),
+                parameter + " must be a new file; remove this one, which is not overwritten, or choose another name",
+                file);
         return output(parameter, file);
     }
 

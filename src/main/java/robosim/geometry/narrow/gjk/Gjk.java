@@ -300,7 +300,10 @@ public final class Gjk {
             }
             turned = false;
             // Later every other step only, so that no bad proposals in a row keep the query from its end.
+            // In the plane, a simplex about the origin points out of it, where rims would lead to directions of no
+            // meaning.
             if (isRound
+                    && !(vy != 0 && first.isFlat())
                     && steps > 1
                     && (steps < MOST_TURNS || (steps & 1) == 0)
                     && followsRims(vx / length, vy / length, vz / length, reach)) {
