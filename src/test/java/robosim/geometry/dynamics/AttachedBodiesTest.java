@@ -189,7 +189,9 @@ class AttachedBodiesTest {
             }
             contacts += dynamics.step(0.2).contacts().size();
         }
-        Pose held = world.getObject("trailer").pose().relativeTo(world.getObject("truck").pose());
+        Pose held = world.getObject("trailer")
+                .pose()
+                .relativeTo(world.getObject("truck").pose());
         assertThat(held.center().x()).isEqualTo(-1.7, within(1e-12));
         assertThat(held.center().z()).isEqualTo(0.1, within(1e-12));
         assertThat(held.heading()).isEqualTo(0, within(1e-12));

@@ -64,7 +64,9 @@ class BodyFilesTest {
         assertThat(geometry.carrierOf("trailer")).isEqualTo("tractor");
         assertThat(geometry.simpleMove("tractor", 6, 0, 0)).isTrue();
         assertThat(geometry.getObject("trailer").center().x()).isEqualTo(0.45, within(1e-12));
-        assertThat(geometry.simpleTurn("tractor", 90)).as("the trailer hits the gate").isFalse();
+        assertThat(geometry.simpleTurn("tractor", 90))
+                .as("the trailer hits the gate")
+                .isFalse();
         geometry.detach("trailer");
         assertThat(geometry.simpleMove("tractor", 1, 0, 0)).isTrue();
         assertThat(geometry.simpleTurn("tractor", 90)).isTrue();
