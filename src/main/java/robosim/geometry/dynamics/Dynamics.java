@@ -611,6 +611,6 @@ public final class Dynamics {
         if (falling != null) {
             return falling.last();
         }
-        return StepContacts.result(stepper.touches(), stepper.before(), betweenParts);
+        return StepResult.of(stepper.touches(), stepper.before(), betweenParts);
     }
 }
