@@ -239,7 +239,7 @@ public final class Geometry implements WorldQueries {
 
     /** The object with a given name, at its present place. */
     public GeometryObject getObject(String name) {
-        return registry.part(name);
+        return registry.attacher.part(name);
     }
 
     /** Whether there is an object of that name, attached ones included. */
@@ -270,7 +270,7 @@ public final class Geometry implements WorldQueries {
      */
     public void attach(String carrier, String load) {
         registry.begin("attach");
-        registry.attach(carrier, load, null);
+        registry.attacher.attach(carrier, load, null);
     }
 
     /**
@@ -281,7 +281,7 @@ public final class Geometry implements WorldQueries {
      */
     public boolean attach(String carrier, String load, Pose at) {
         registry.begin("attach");
-        return registry.attach(carrier, load, Checks.present("at", at));
+        return registry.attacher.attach(carrier, load, Checks.present("at", at));
     }
 
     /**
@@ -292,12 +292,12 @@ public final class Geometry implements WorldQueries {
      */
     public void detach(String load) {
         registry.begin("detach");
-        registry.detach(load);
+        registry.attacher.detach(load);
     }
 
     /** The name of the object to which another one is attached; null if it is not attached. */
     public @Nullable String carrierOf(String name) {
-        return registry.carrier(name);
+        return registry.attacher.carrier(name);
     }
 
     /** Which objects are where: in the way of an addition or a placement, in a box, nearest. */

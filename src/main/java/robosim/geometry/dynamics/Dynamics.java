@@ -5,7 +5,6 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -13,7 +12,6 @@ import robosim.geometry.Geometry;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.planar.PlanarStepper;
 import robosim.geometry.engine.World;
-import robosim.geometry.engine.objects.Attachments;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
@@ -80,6 +78,10 @@ public final class Dynamics {
 
     private final Geometry world;
     private final Map<String, BodyState> bodies = new LinkedHashMap<>();
+
+    /** Which of them are parts of others. */
+    private final AttachedBodies attached;
+
     private final World engine;
     private final ObjectTable objects;
     private final PlanarStepper stepper;
@@ -93,12 +95,6 @@ public final class Dynamics {
 
     private final PlanarStepper.Pushes pushes = this::push;
     private boolean isStale = true;
-
-    /** The number of changes of the objects of the world at which bodies were last joined to those they are attached to. */
-    private long assembledAt;
-
-    /** Whether any body has been a part of another one. */
-    private boolean hasParts;
 
     /** Whether a body has three moments of inertia, of which its attitude makes one. */
     private boolean hasMoments;
@@ -159,6 +155,7 @@ public final class Dynamics {
         }
         engine = world.engine();
         objects = engine.objects;
+        attached = new AttachedBodies(engine, bodies);
         stepper = new PlanarStepper(engine);
         table = new SurfaceTable(ground);
         falling = falls ? new SpatialBodies(engine, table, gravity) : null;
@@ -176,7 +173,7 @@ public final class Dynamics {
             SpatialBodies.check(object);
         }
         BodyState before = find(name);
-        disband();
+        attached.disband();
         BodyState state = new BodyState(name, body, engine);
         bodies.put(name, state);
         if (before != null) {
@@ -192,7 +189,7 @@ public final class Dynamics {
     /** Takes the body from an object, which from then on stands still; answers whether it had one. */
     public boolean remove(String name) {
         boolean hadOne = find(name) != null;
-        disband();
+        attached.disband();
         bodies.remove(name);
         isStale = true;
         return hadOne;
@@ -316,8 +313,8 @@ public final class Dynamics {
             SpatialBodies.setTwist(state, world.getObject(name).pose(), velocity);
         } else {
             QuantityChecks.level("velocity", velocity, "in a PLANAR world");
-            BodyState whole = whole(state);
-            Pose pose = engine.registry.part(name).pose();
+            BodyState whole = attached.whole(state);
+            Pose pose = engine.registry.attacher.part(name).pose();
             state.setVelocity(pose.heading(), pose.lostHeading(), velocity);
             whole.follow(state);
         }
@@ -336,128 +333,12 @@ public final class Dynamics {
     /** The velocity of a body, along its own axes, and about its own Y alone. */
     public Twist velocity(String name) {
         BodyState state = state(name);
-        Pose pose = engine.registry.part(name).pose();
+        Pose pose = engine.registry.attacher.part(name).pose();
         if (falling != null) {
             return SpatialBodies.twist(state, pose);
         }
-        state.follow(whole(state));
+        state.follow(attached.whole(state));
         return state.velocity(pose.heading(), pose.lostHeading());
-    }
-
-    /** What moves a body: itself, or what it is attached to. */
-    private BodyState whole(BodyState state) {
-        String root = state.root;
-        BodyState whole = root == null ? null : bodies.get(root);
-        return whole == null ? state : whole;
-    }
-
-    // ---- what is attached ----
-
-    /** Takes note of what has been attached and detached since it was called last. */
-    private void assemble() {
-        long now = objects.changes();
-        if (now == assembledAt) {
-            return;
-        }
-        Attachments attachments = engine.registry.attachments;
-        boolean isOther = assembledAt < 0;
-        assembledAt = now;
-        if (attachments.isEmpty() && !hasParts) {
-            return; // so that a world without attachments pays nothing
-        }
-        for (BodyState each : bodies.values()) {
-            isOther |= each.isThere(engine) && !Objects.equals(each.root, attachments.root(each.name));
-        }
-        if (!isOther) {
-            return;
-        }
-        part();
-        hasParts = true;
-        isStale = true;
-        for (BodyState each : List.copyOf(bodies.values())) {
-            each.root = each.isThere(engine) ? attachments.root(each.name) : null;
-        }
-        for (BodyState each : List.copyOf(bodies.values())) {
-            BodyState carrier = each.root == null ? null : bodies.get(each.root);
-            if (carrier == null || !carrier.isThere(engine)) {
-                each.vx = each.root == null ? each.vx : 0; // what has no body stands still
-                each.vz = each.root == null ? each.vz : 0;
-                each.w = each.root == null ? each.w : 0;
-            } else if (!carrier.isLoaded) {
-                join(carrier);
-            }
-        }
-    }
-
-    /** Forgets what is attached, until it is asked for again. */
-    private void disband() {
-        if (hasParts || !engine.registry.attachments.isEmpty()) {
-            part();
-            assembledAt = -1;
-        }
-    }
-
-    /** Lets each part go on by itself, as fast as it went. */
-    private void part() {
-        for (BodyState each : bodies.values()) {
-            if (each.root != null) {
-                each.follow(whole(each));
-            }
-        }
-        for (BodyState each : bodies.values()) {
-            boolean isPlaced = each.isThere(engine);
-            if ((each.root != null || each.isLoaded) && isPlaced) {
-                Pose pose = engine.registry.part(each.name).pose();
-                each.part(pose.heading(), pose.lostHeading());
-            }
-        }
-    }
-
-    /** Makes one body of all that is attached to one: their mass, inertia, momentum and angular momentum are its own. */
-    private void join(BodyState carrier) {
-        List<BodyState> parts = new ArrayList<>();
-        List<Pose> poses = new ArrayList<>();
-        Attachments.forEachPart(objects.present(objects.find(carrier.name)), (name, pose) -> {
-            BodyState part = bodies.get(name);
-            if (part != null && part.isThere(engine)) {
-                parts.add(part);
-                poses.add(pose);
-            }
-        });
-        double mass = 0;
-        double[] centre = new double[4]; // x and z, and the momentum along them
-        for (int k = 0; k < parts.size(); k++) {
-            BodyState each = parts.get(k);
-            double m = each.body.mass();
-            mass += m;
-            centre[0] += m * poses.get(k).center().x();
-            centre[1] += m * poses.get(k).center().z();
-            centre[2] += m * each.vx;
-            centre[3] += m * each.vz;
-        }
-        for (int k = 0; k < 4; k++) {
-            centre[k] /= mass;
-        }
-        double inertia = 0;
-        double spin = 0;
-        for (int k = 0; k < parts.size(); k++) {
-            BodyState each = parts.get(k);
-            double m = each.body.mass();
-            double own = each.body.aboutVertical(poses.get(k).rotation(), 0);
-            double x = poses.get(k).center().x() - centre[0];
-            double z = poses.get(k).center().z() - centre[1];
-            inertia += own + m * (x * x + z * z);
-            spin += own * each.w + m * (z * (each.vx - centre[2]) - x * (each.vz - centre[3]));
-            double sin = Degrees.sin(poses.get(k).heading(), poses.get(k).lostHeading());
-            double cos = Degrees.cos(poses.get(k).heading(), poses.get(k).lostHeading());
-            each.armX = x * cos - z * sin;
-            each.armZ = x * sin + z * cos;
-        }
-        carrier.isLoaded = true;
-        carrier.vx = centre[2];
-        carrier.vz = centre[3];
-        carrier.w = spin / inertia;
-        carrier.acting = carrier.body.with(mass, inertia);
     }
 
     /**
@@ -509,7 +390,7 @@ public final class Dynamics {
 
     /** The body of the object that has a name now; null if it has none, though an earlier one of that name had. */
     private @Nullable BodyState find(String name) {
-        assemble();
+        isStale |= attached.assemble();
         BodyState state = bodies.get(Checks.present("name", name));
         if (state != null && !state.isThere(engine)) {
             bodies.remove(name);
@@ -625,7 +506,7 @@ public final class Dynamics {
         private final List<BodyState> states = new ArrayList<>(bodies.size());
         private final List<BodyState> inOrder = List.copyOf(order);
         private final boolean wasStale = isStale;
-        private final long wasAssembledAt = assembledAt;
+        private final long wasAssembledAt = attached.assembledAt;
 
         Kept() {
             hasBegun = false;
@@ -643,8 +524,8 @@ public final class Dynamics {
             bodies.clear();
             states.forEach(each -> bodies.put(each.name, each));
             table.undo();
-            isStale = wasStale || assembledAt != wasAssembledAt;
-            assembledAt = wasAssembledAt;
+            isStale = wasStale || attached.assembledAt != wasAssembledAt;
+            attached.assembledAt = wasAssembledAt;
             order.clear();
             inOrder.forEach(each -> order.add(bodies.getOrDefault(each.name, each)));
             if (falling != null) {
@@ -667,9 +548,9 @@ public final class Dynamics {
     private void move(double seconds) {
         QuantityChecks.positive("seconds", seconds);
         hasBegun = false;
-        assemble();
-        if (falling != null && !engine.registry.attachments.isEmpty()) {
-            refuseLoads();
+        isStale |= attached.assemble();
+        if (falling != null) {
+            attached.refuse();
         }
         if (bodies.isEmpty() && !isStale) {
             pass();
@@ -688,19 +569,6 @@ public final class Dynamics {
         int parts = parts(seconds);
         for (int part = 0; part < parts; part++) {
             run(seconds / parts);
-        }
-    }
-
-    /** Refuses bodies that carry others where they could fall. */
-    private void refuseLoads() {
-        for (BodyState each : bodies.values()) {
-            String other = engine.registry.attachments.root(each.name);
-            if (each.isThere(engine)
-                    && (other != null || Attachments.carries(objects.value(objects.find(each.name))))) {
-                throw new IllegalArgumentException(
-                        "world must be PLANAR where bodies are attached to each other; detach"
-                                + " them, or take the body from \"" + each.name + "\" (got: a SPATIAL one)");
-            }
         }
     }
 
@@ -847,6 +715,6 @@ public final class Dynamics {
         if (falling != null) {
             return falling.last();
         }
-        return StepContacts.result(stepper.touches(), stepper.before(), betweenParts);
+        return StepResult.of(stepper.touches(), stepper.before(), betweenParts);
     }
 }

@@ -255,6 +255,6 @@ final class SpatialBodies {
     }
 
     StepResult last() {
-        return StepContacts.result(space.touched(), space.before(), betweenParts);
+        return StepResult.of(space.touched(), space.before(), betweenParts);
     }
 }

@@ -2,10 +2,8 @@ package robosim.geometry.engine.broadphase;
 
 import java.lang.ref.SoftReference;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -45,6 +43,9 @@ public final class ObjectRegistry {
 
     /** Which objects are attached to others. */
     public final Attachments attachments = new Attachments();
+
+    /** Attaches and detaches. */
+    public final ObjectAttacher attacher = new ObjectAttacher(this);
 
     /** The world as it is seen where a query does not say how. */
     public final AccuracyView view;
@@ -312,14 +313,14 @@ public final class ObjectRegistry {
 
     public boolean remove(String name) {
         if (attachments.root(Checks.present("name", name)) != null) {
-            detach(name);
+            attacher.detach(name);
         }
         int id = objects.find(name);
         if (id < 0) {
             return false;
         }
         while (objects.value(id) instanceof ObjectGroup group && !group.loads().isEmpty()) {
-            detach(String.valueOf(group.loads().get(0).name()));
+            attacher.detach(String.valueOf(group.loads().get(0).name()));
             id = objects.find(name);
         }
         SharedIndex others = shared;
@@ -343,116 +344,19 @@ public final class ObjectRegistry {
         objects.remove(id);
     }
 
-    /**
-     * Attaches a moveable object to another one, or to a load of one.
-     *
-     * @param at where it is held, in the frame of the carrier; null for where it is
-     * @return false, and nothing changes, if it would touch anything but the carrier there or leave the world
-     */
-    public boolean attach(String carrier, String load, @Nullable Pose at) {
-        int loadId = mover(load);
-        String root = attachments.root(Checks.present("carrier", carrier));
-        int rootId = mover(root == null ? carrier : root);
-        if (rootId == loadId) {
-            throw new IllegalArgumentException("carrier must be neither the load nor attached to it (got: \"" + carrier
-                    + "\" and \"" + load + "\")");
-        }
-        GeometryObject whole = objects.present(rootId);
-        GeometryObject object = objects.present(loadId);
-        Pose holder =
-                Checks.present("carrier", Attachments.find(whole, carrier)).pose();
-        Pose held = at == null ? object.pose().relativeTo(holder) : at;
-        GeometryObject made = Attachments.with(whole, carrier, object, held);
-        if (at != null && !isFree(object.at(held.within(holder)), rootId, loadId)) {
-            return false;
-        }
-        Map<String, Long> births = births(object, objects.arrival(loadId));
-        take(loadId);
-        births.forEach(attachments::keepBirth);
-        replace(objects.find(String.valueOf(whole.name())), made);
-        return true;
-    }
-
-    /** Whether an object may be at a place, where two others do not count. */
-    private boolean isFree(GeometryObject object, int one, int other) {
-        objects.ignored.add(one);
-        objects.ignored.add(other);
-        try {
-            return fits(object) && !collides(view, object, -1);
-        } finally {
-            objects.ignored.clear();
-        }
-    }
-
-    /** Detaches an object from its carrier: it stays where it is, and counts as added now. */
-    public void detach(String load) {
-        String root = attachments.root(Checks.present("load", load));
-        if (root == null) {
-            known(load);
-            throw new IllegalArgumentException("load must be attached to something (got: \"" + load + "\")");
-        }
-        int rootId = objects.find(root);
-        GeometryObject whole = objects.present(rootId);
-        GeometryObject object = Checks.present("load", Attachments.find(whole, load));
-        for (double share = 0x1p-52; !fits(object); share *= 2) { // rounding has put it beyond the border
-            Point c = object.center();
-            object = object.at(object.pose()
-                    .movedTo(new Point(c.x() - c.x() * share, c.y() - c.y() * share, c.z() - c.z() * share)));
-        }
-        Map<String, Long> births = births(object, objects.arrivals());
-        replace(rootId, Attachments.without(whole, String.valueOf(Attachments.carrier(whole, load)), load));
-        births.forEach(attachments::keepBirth);
-        note(restore(object, objects.arrivals()));
-    }
-
-    /** Puts an object in the place of another one, among the arrivals too. */
-    private void replace(int id, GeometryObject by) {
-        long arrivals = objects.arrivals();
-        long arrival = objects.arrival(id);
-        Map<String, Long> births = births(by, arrival);
-        take(id);
-        births.forEach(attachments::keepBirth);
-        note(restore(by, arrival));
-        objects.arriveAt(arrivals);
-    }
-
-    /** When an object and all that it carries came into the world at first. */
-    private Map<String, Long> births(GeometryObject object, long arrival) {
-        Map<String, Long> births = new HashMap<>();
-        Attachments.forEachPart(object, (part, pose) -> births.put(part, attachments.birth(part, arrival)));
-        return births;
-    }
-
-    private void take(int id) {
+    /** Takes an object out for good. */
+    void take(int id) {
         if (journal != null) {
             journal.removes(id);
         }
         remove(id);
     }
 
-    private void note(int id) {
+    /** Notes that an object has been restored. */
+    void note(int id) {
         if (journal != null) {
             journal.added(id);
         }
-    }
-
-    /** An object at its present place, attached ones too. */
-    public GeometryObject part(String name) {
-        String root = attachments.root(Checks.present("name", name));
-        if (root == null) {
-            return objects.present(known(name));
-        }
-        return Checks.present("name", Attachments.find(objects.present(objects.find(root)), name));
-    }
-
-    /** The name of what an object is attached to; null if it is not attached. */
-    public @Nullable String carrier(String name) {
-        String root = attachments.root(Checks.present("name", name));
-        if (root == null) {
-            known(name);
-            return null;
-        }
-        return Attachments.carrier(objects.value(objects.find(root)), name);
     }
 
     /** Puts a moveable object upright at a place where it touches nothing. */
