@@ -28,7 +28,7 @@ import robosim.geometry.model.Twist;
 
 /**
  * CPU time of single ticks in the planar scenes of robot simulators: mean, 99th percentile and worst, and those of dyn4j at its
- * defaults where it has the same scene, in turns in one JVM. {@code -Dscene=field -Dticks=500 -Drounds=3}.
+ * defaults where it has the same scene, in turns in one JVM. {@code -Dscene=field -Dticks=500 -Drounds=3 -Dalone}.
  */
 public final class Ticks {
     private static final Surface BALL = new Surface(0.3, 0.3, 0.2);
@@ -62,7 +62,7 @@ public final class Ticks {
     }
 
     private static void run(String only, String name, int ticks, Supplier<Ticking> scene) {
-        if (!name.startsWith(only)) {
+        if (!name.startsWith(only) || (Boolean.getBoolean("alone") && name.endsWith("dyn4j"))) {
             return;
         }
         Ticking ticking = scene.get();
@@ -91,7 +91,9 @@ public final class Ticks {
     /** A robot on a field of 16.5 by 8 m that drives into 400 balls, or one shaped like a U that turns over six. */
     private static final class Pushed implements Ticking {
         /** Where the robot on the field drives to in turns: through the balls, into corners and along walls. */
-        private static final double[][] TARGETS = {{0, 0}, {7.7, 3.4}, {7.7, -3.4}, {0, -3.4}, {-2, 2}, {3, 3.5}, {-7.7, 3.5}};
+        private static final double[][] TARGETS = {
+            {0, 0}, {7.7, 3.4}, {7.7, -3.4}, {0, -3.4}, {-2, 2}, {3, 3.5}, {-7.7, 3.5}
+        };
 
         final boolean isField;
         final List<GeometryObject> balls = new ArrayList<>();
@@ -127,11 +129,11 @@ public final class Ticks {
         }
 
         private void ball(double x, double z) {
-            GeometryObject ball =
-                    new CylinderObject(new Point(x, 0, z), 0.075, 0.15).moveable("ball" + balls.size());
+            GeometryObject ball = new CylinderObject(new Point(x, 0, z), 0.075, 0.15).moveable("ball" + balls.size());
             if (world.addObject(ball)) {
                 balls.add(ball);
-                dynamics.add(ball.name(), Body.ofMass(ball, 0.2).withSurface(BALL).withDamping(0.5, 0.5));
+                dynamics.add(
+                        ball.name(), Body.ofMass(ball, 0.2).withSurface(BALL).withDamping(0.5, 0.5));
             }
         }
 
@@ -294,8 +296,7 @@ public final class Ticks {
             dynamics = new Dynamics(world, surface);
             while (names.size() < count) {
                 String name = "b" + names.size();
-                Point c = new Point(
-                        random.nextDouble(-side / 2, side / 2), 0, random.nextDouble(-side / 2, side / 2));
+                Point c = new Point(random.nextDouble(-side / 2, side / 2), 0, random.nextDouble(-side / 2, side / 2));
                 GeometryObject body = areElastic || names.size() % 3 == 0
                         ? new CylinderObject(c, areElastic ? size : size / 2, 1).moveable(name)
                         : new BoxObject(c, size * random.nextDouble(0.5, 2), 1, size * random.nextDouble(0.1, 1))
@@ -314,7 +315,8 @@ public final class Ticks {
                 for (String name : names) {
                     double turn = areElastic ? 0 : random.nextDouble(-3600, 3600);
                     dynamics.setVelocity(
-                            name, new Twist(random.nextDouble(-speed, speed), 0, random.nextDouble(-speed, speed), turn));
+                            name,
+                            new Twist(random.nextDouble(-speed, speed), 0, random.nextDouble(-speed, speed), turn));
                 }
             }
             ticks++;
