@@ -23,7 +23,7 @@ final class MotionOrder {
     private static final int PARTS = 16;
 
     /** Those that wait go no shorter parts of the time: by less than that they may as well be late. */
-    private static final double LEAST_PART = 0x1p-5;
+    private static final double LEAST_PART = 0x1p-8;
 
     /** Who gets no farther than in this share of the time is stopped; who does is late, and keeps its velocity. */
     private static final double LEAST_SHARE = 0x1p-3;
