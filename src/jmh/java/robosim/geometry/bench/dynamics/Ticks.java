@@ -28,7 +28,7 @@ import robosim.geometry.model.Twist;
 
 /**
  * CPU time of single ticks in the planar scenes of robot simulators: mean, 99th percentile and worst, and those of dyn4j at its
- * defaults where it has the same scene, in turns in one JVM. {@code -Dscene=field -Dticks=500 -Drounds=3}.
+ * defaults where it has the same scene, in turns in one JVM. {@code -Dscene=field -Dticks=500 -Drounds=3 -Dalone}.
  */
 public final class Ticks {
     private static final Surface BALL = new Surface(0.3, 0.3, 0.2);
@@ -62,7 +62,7 @@ public final class Ticks {
     }
 
     private static void run(String only, String name, int ticks, Supplier<Ticking> scene) {
-        if (!name.startsWith(only)) {
+        if (!name.startsWith(only) || (Boolean.getBoolean("alone") && name.endsWith("dyn4j"))) {
             return;
         }
         Ticking ticking = scene.get();

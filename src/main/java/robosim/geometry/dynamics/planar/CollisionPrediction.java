@@ -11,6 +11,9 @@ final class CollisionPrediction {
     /** Meeting more slowly is slow, m/s. */
     static final double SLOW = 0.05;
 
+    /** Two that were hardly farther apart since they last met do not bounce again, metres: it would be ever faster for ever. */
+    private static final double LEAST_FLIGHT = 1e-3;
+
     /** So often a pair meets slowly before it is left alone for a while. */
     private static final int PATIENCE = 3;
 
@@ -190,11 +193,50 @@ final class CollisionPrediction {
         for (int k = 0; k < manifold.count; k++) {
             int c = island.add(pair, a, b, manifold.x[k], manifold.z[k], impact.separation.nx, impact.separation.nz);
             ContactSurfaces mixed = scene.surfaces();
-            island.restitution[c] = mixed.mixRestitution(scene.restitution[pa], scene.restitution[pb]);
+            double restitution = mixed.mixRestitution(scene.restitution[pa], scene.restitution[pb]);
+            boolean isShort = restitution < 1 && (now - pairs.met[pair]) * -island.parting(c) < LEAST_FLIGHT;
+            island.restitution[c] = isShort ? 0 : restitution;
             island.still[c] = mixed.mixFriction(scene.still[pa], scene.still[pb]);
             island.sliding[c] = Math.min(island.still[c], mixed.mixFriction(scene.sliding[pa], scene.sliding[pb]));
             island.least[c] = distance < 0.5 * gap && distance > 0 ? (gap - distance) / end : 0;
+            int edge = impact.separation.edgeOf();
+            island.rise[c] = edge == 0 ? 0 : edge == 1 ? rise(k, a, b, pb, -1, now) : rise(k, b, a, pa, 1, now);
         }
+    }
+
+    /**
+     * The speed of parting with which a point that touches the edge of a body which turns is back at it at the end, rather
+     * than in it at once: half of what the edge, turning into the straight path of the point, takes from its speed until then.
+     *
+     * @param edge  the body of the edge, or -1
+     * @param point the body of the point, or -1
+     * @param piece the piece of the point
+     * @param sign  of the normal away from the edge, as seen from the one that points to the first body
+     */
+    private double rise(int k, int edge, int point, int piece, int sign, double now) {
+        double w = edge < 0 ? 0 : bodies.w[edge];
+        if (w == 0) {
+            return 0;
+        }
+        double outX = sign * impact.separation.nx;
+        double outZ = sign * impact.separation.nz;
+        double x = manifold.x[k] + outX * pieces.radius[piece];
+        double z = manifold.z[k] + outZ * pieces.radius[piece];
+        double vx = 0.0 - bodies.vx[edge];
+        double vz = 0.0 - bodies.vz[edge];
+        double inwards = 0;
+        if (point >= 0) {
+            double spin = bodies.w[point];
+            double dx = x - bodies.x[point];
+            double dz = z - bodies.z[point];
+            vx += bodies.vx[point] + spin * dz;
+            vz += bodies.vz[point] - spin * dx;
+            inwards = spin * spin * (outX * dx + outZ * dz);
+        }
+        double away = outX * (x - bodies.x[edge]) + outZ * (z - bodies.z[edge]);
+        double bend = 2 * w * (outZ * vx - outX * vz) - w * w * away - inwards;
+        double left = end - now;
+        return bend < 0 ? -0.5 * bend * left * (1 + 0.5 * Math.abs(w) * left) : 0; // and what it takes more than evenly
     }
 
     /** Puts bodies apart that came too near in a pause, each by the share of its lightness. */

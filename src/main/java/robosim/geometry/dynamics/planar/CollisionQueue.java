@@ -19,6 +19,9 @@ final class CollisionQueue {
     /** The time at which the velocities of the two were last made such that they do not approach; -1 for not yet. */
     double[] solved = new double[FIRST];
 
+    /** When the two last met themselves, not only others whom one of them touches; minus infinity for not yet. */
+    double[] met = new double[FIRST];
+
     /** A number that tells who has looked at a pair. */
     int[] mark = new int[FIRST];
 
@@ -75,6 +78,7 @@ final class CollisionQueue {
             b = Arrays.copyOf(b, room);
             touches = Arrays.copyOf(touches, room);
             solved = Arrays.copyOf(solved, room);
+            met = Arrays.copyOf(met, room);
             mark = Arrays.copyOf(mark, room);
             slowMeetings = Arrays.copyOf(slowMeetings, room);
             pause = Arrays.copyOf(pause, room);
@@ -89,6 +93,7 @@ final class CollisionQueue {
         b[pair] = pieceB;
         touches[pair] = false;
         solved[pair] = -1;
+        met[pair] = Double.NEGATIVE_INFINITY;
         mark[pair] = 0;
         slowMeetings[pair] = 0;
         pause[pair] = 0;

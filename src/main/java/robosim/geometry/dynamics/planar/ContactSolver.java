@@ -135,13 +135,13 @@ final class ContactSolver {
         double most = energy * (1 + 0x1p-42);
         for (int attempt = firstAttempt; attempt < 3; attempt++) {
             boolean isRubbing = attempt < 2;
-            prepare(attempt == 0);
+            double given = prepare(attempt == 0);
             iterate(isRubbing);
             double after = 0;
             for (int k = 0; k < island.bodyCount; k++) {
                 after += bodies.energy(island.bodyList[k]);
             }
-            if (after <= most) {
+            if (after <= most + given) {
                 for (int k = 0; k < island.bodyCount; k++) {
                     floor.take(island.bodyList[k]);
                 }
@@ -159,20 +159,29 @@ final class ContactSolver {
         return false;
     }
 
-    private void prepare(boolean isBouncing) {
+    /** Sets the speeds of parting that contacts are to reach; answers the energy that drives give for it, joules at most. */
+    private double prepare(boolean isBouncing) {
+        double given = 0;
         for (int k = 0; k < island.bodyCount; k++) {
             floor.begin(island.bodyList[k]);
         }
         for (int c = 0; c < island.count; c++) {
             double parting = island.parting(c);
             double bounce = isBouncing && parting < -SLOW ? -island.restitution[c] * parting : 0;
-            goal[c] = isBouncing ? Math.max(bounce, island.least[c]) : 0;
+            double rise = isBouncing ? island.rise[c] : 0;
+            if (rise > -parting && !island.isDriven(c)) {
+                rise = -parting; // free bodies have no energy to part faster than they approached
+            } else if (rise > 0 && island.softness(c) > 0) {
+                given += 0.5 * rise * rise / island.softness(c);
+            }
+            goal[c] = isBouncing ? Math.max(Math.max(bounce, rise), island.least[c]) : 0;
             push[c] = 0;
             rub[c] = 0;
             lastPush[c] = 0;
             lastRub[c] = 0;
             isSliding[c] = false;
         }
+        return given;
     }
 
     /** Works out how the speeds at each contact change with impulses there; of bodies that are divided or not. */

@@ -29,6 +29,9 @@ final class Island {
     /** The least speed of parting that is asked for whatever the restitution. */
     double[] least = new double[FIRST];
 
+    /** The same, but of free bodies no more than the speed at which they approached. */
+    double[] rise = new double[FIRST];
+
     // Torques of unit forces along the normal and along the contact, on a and b.
     double[] leverA = new double[FIRST];
     double[] leverB = new double[FIRST];
@@ -104,6 +107,7 @@ final class Island {
         still = Arrays.copyOf(still, room);
         sliding = Arrays.copyOf(sliding, room);
         least = Arrays.copyOf(least, room);
+        rise = Arrays.copyOf(rise, room);
         leverA = Arrays.copyOf(leverA, room);
         leverB = Arrays.copyOf(leverB, room);
         asideA = Arrays.copyOf(asideA, room);
@@ -122,6 +126,17 @@ final class Island {
     /** The speed of the first of a contact as seen from the other, along the contact. */
     double aside(int c) {
         return speed(a[c], -nz[c], nx[c], asideA[c]) - speed(b[c], -nz[c], nx[c], asideB[c]);
+    }
+
+    /** Whether a drive pushes one of the two of a contact. */
+    boolean isDriven(int c) {
+        return bodies.isDriven[a[c]] || (b[c] >= 0 && bodies.isDriven[b[c]]);
+    }
+
+    /** By how much an impulse along the normal of a contact changes the speed there; 0 where nothing moves either of the two. */
+    double softness(int c) {
+        double second = b[c] < 0 ? 0 : bodies.lightness[b[c]] + bodies.ease[b[c]] * leverB[c] * leverB[c];
+        return bodies.lightness[a[c]] + bodies.ease[a[c]] * leverA[c] * leverA[c] + second;
     }
 
     private double speed(int body, double dx, double dz, double lever) {

@@ -24,6 +24,9 @@ final class MotionOrder {
     /** So often those that wait are asked again. */
     private static final int PARTS = 16;
 
+    /** Those that wait go no shorter parts of the time: by less than that they may as well be late. */
+    private static final double LEAST_PART = 0x1p-8;
+
     /** Who gets no farther than in this share of the time is stopped; who does is late, and keeps its velocity. */
     private static final double LEAST_SHARE = 0x1p-3;
 
@@ -182,7 +185,7 @@ final class MotionOrder {
         }
         noteWaiting();
         double most = end;
-        for (int round = 0; round < PARTS && isLeft(); round++) {
+        for (int round = 0; round < PARTS && isLeft() && most >= LEAST_PART * end; round++) {
             shortened.makeRoom(bodies.count);
             for (int b = 0; b < bodies.count; b++) {
                 shortened.begin(b, atX[b], atZ[b], atAngle[b]);

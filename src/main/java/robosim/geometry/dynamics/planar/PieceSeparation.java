@@ -154,6 +154,11 @@ final class PieceSeparation {
         }
     }
 
+    /** Whose edge the direction is across: 1 for a, 2 for b, 0 where it is that of two corners. */
+    int edgeOf() {
+        return faceOf;
+    }
+
     /** The distance of the two; at most 0 where they meet, then with the direction of least depth where that is easy. */
     double distance() {
         faceOf = 0;

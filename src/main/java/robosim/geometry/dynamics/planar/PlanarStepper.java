@@ -284,6 +284,9 @@ public final class PlanarStepper {
                 solve(hits[k], time);
             }
         }
+        for (int k = 0; k < hitCount; k++) {
+            pairs.met[hits[k]] = time;
+        }
     }
 
     /** Solves a collision. */

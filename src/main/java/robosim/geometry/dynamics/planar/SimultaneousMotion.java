@@ -12,8 +12,10 @@ import java.util.Arrays;
 final class SimultaneousMotion {
     private static final int FIRST = 32;
 
-    /** So often those that do not pass each other are parted more: in a row of bodies it takes many until all have made room. */
-    private static final int ROUNDS = 64;
+    /** So often those that do not pass each other are parted more, and once more for each of them: a row of bodies needs that. */
+    private static final int ROUNDS = 16;
+
+    private static final int MOST_ROUNDS = 64;
 
     /** By how much ends may be shifted in all these rounds, as a share of the size; beyond the way may not go. */
     private static final double MOST_SHIFT = 0x1p-3;
@@ -68,7 +70,11 @@ final class SimultaneousMotion {
         begin(ways, SeparationProof.MOST_BULGE + MOST_SHIFT);
         boolean isChanged = true;
         Arrays.fill(parted, 0, bodies.count, 0);
-        for (int round = 0; round < ROUNDS && isChanged; round++) {
+        int rounds = ROUNDS;
+        for (int body = 0; body < bodies.count && rounds < MOST_ROUNDS; body++) {
+            rounds += goes[body] ? 1 : 0;
+        }
+        for (int round = 0; round < rounds && isChanged; round++) {
             isChanged = false;
             for (int pair = 0; pair < pairs; pair++) {
                 int one = a[pair];
