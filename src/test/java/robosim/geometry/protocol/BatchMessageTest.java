@@ -102,7 +102,8 @@ class BatchMessageTest {
         assertThat(JsonLines.readRequest(JsonLines.write(drives.get(2)))).isEqualTo(drives.get(2));
         Reply answers = new Reply(drives.get(1));
         assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
-        assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, -1, null)).hasMessageContaining("seconds");
+        assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, -1, null))
+                .hasMessageContaining("seconds");
         assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, Double.NaN, 1, null))
                 .hasMessageContaining("ry");
         assertThatThrownBy(() -> new WorldRequest.Drive("a", 0, 0, 0, 0, 1, -0.5))
@@ -218,8 +219,8 @@ class BatchMessageTest {
         assertThat(new BatchRequestBundle(both).size()).isEqualTo(MessageLimits.MAX_BEAMS + MessageLimits.MAX_POSES);
         both.add(edge);
         assertThatThrownBy(() -> new BatchRequestBundle(both))
-                .hasMessage(
-                        "requests must have at most 262144 poses, edges and requests of other kinds together (got: 262145)");
+                .hasMessage("requests must have at most 262144 poses, edges and requests of other kinds together (got:"
+                        + " 262145)");
         assertThatThrownBy(() -> new BatchRequestBundle(times(5, beams)))
                 .hasMessage("requests must have at most 1048576 beams together (got: 1310720)");
         assertThatThrownBy(() -> new BatchRequestBundle(

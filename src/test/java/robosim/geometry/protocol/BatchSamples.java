@@ -158,14 +158,17 @@ public final class BatchSamples {
                 new BatchRequestBundle(List.of(
                         new WorldRequest.Drive("robot", 1, -0.0, 2, -0.5, 3, null),
                         new WorldRequest.Drive("\u00e9", 1, 0, 0x1p100, Math.PI, 1e-300, 0.25),
-                        new SenseRequest("robot", new BeamPattern.Fan(0, 1, 4)).ignoring(List.of("glass", "b \u00e9")))),
+                        new SenseRequest("robot", new BeamPattern.Fan(0, 1, 4))
+                                .ignoring(List.of("glass", "b \u00e9")))),
                 new BatchAnswerBundle(List.of(
                         new WorldAnswer.Identified(WorldAnswer.Went.MADE, List.of()),
                         new WorldAnswer.Identified(
                                 went, List.of(new Obstacle(2, "", GeometryObject.Kind.BOX, new Point(1, 0, 0)))))),
                 new InitBundle(List.of(
                         new BoxObject(new Point(1, 2, 3), 1, 1, 1).withLayers(Set.of("glass", "\u00e9")),
-                        new SphereObject(new Point(4, 0, 0), 1).moveable("robot").withLayers(Set.of("robots")))));
+                        new SphereObject(new Point(4, 0, 0), 1)
+                                .moveable("robot")
+                                .withLayers(Set.of("robots")))));
     }
 
     /** Requests about the world's objects, and answers to them; what came after the frames. */
