@@ -100,7 +100,7 @@ final class ContactPatch {
 
     /** Whether one of two ends is foremost; both are if the other piece is beside them. */
     private static boolean isForemost(double towards, boolean isEnd) {
-        return Math.abs(towards) <= LEVEL || towards > 0 == isEnd;
+        return Math.abs(towards) <= LEVEL || (towards > 0) == isEnd;
     }
 
     private void box(Leaf leaf, double[] towards, List<Spot> corners) {
@@ -162,7 +162,8 @@ final class ContactPatch {
     private static double rotation(Leaf leaf, int row, int column) {
         return switch (leaf.kind) {
             case BOX, UPRIGHT_BOX, CYLINDER, CAPSULE -> leaf.get(Leaf.ROTATION + 3 * row + column);
-            default -> row == column ? 1 : 0;
+            case UPRIGHT_CYLINDER, SPHERE, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH, GRID ->
+                row == column ? 1 : 0;
         };
     }
 

@@ -148,9 +148,8 @@ class RayPatternTest {
                 .hasSameHashCodeAs(SenseOptions.range(0, 5).withWidth(3))
                 .isNotEqualTo(options.withThreads(2))
                 .isNotEqualTo(options.withCarrier(SenseOptions.Carrier.SEEN))
-                .hasToString(
-                        "SenseOptions[min=0.0, max=5.0, width=3.0, carrier=IGNORED, threads=1, motion=null, seesHeights=false,"
-                                + " ignored=[]]");
+                .hasToString("SenseOptions[min=0.0, max=5.0, width=3.0, carrier=IGNORED, threads=1, motion=null,"
+                        + " seesHeights=false, ignored=[]]");
     }
 
     @Test

@@ -226,8 +226,8 @@ class BatchMessageTest {
         assertThat(new BatchRequestBundle(both).size()).isEqualTo(MessageLimits.MAX_BEAMS + MessageLimits.MAX_POSES);
         both.add(edge);
         assertThatThrownBy(() -> new BatchRequestBundle(both))
-                .hasMessage(
-                        "requests must have at most 262144 poses, edges and requests of other kinds together (got: 262145)");
+                .hasMessage("requests must have at most 262144 poses, edges and requests of other kinds together (got:"
+                        + " 262145)");
         assertThatThrownBy(() -> new BatchRequestBundle(times(5, beams)))
                 .hasMessage("requests must have at most 1048576 beams together (got: 1310720)");
         assertThatThrownBy(() -> new BatchRequestBundle(
