@@ -223,6 +223,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("dbce9dab6e0912bd");
+        assertThat(Long.toHexString(digest)).isEqualTo("9c83377b6a5a3c2d");
     }
 }

@@ -7,7 +7,9 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 /**
  * When two bodies that both move will meet in a slice, so that the slice ends there with both where they are at that time. Of
  * two spheres it is a root; of anything else it is found by conservative advancement (Mirtich 1996): a direction that separates
- * the two goes on to do so for as long as the speed along it, turns included, needs for the gap.
+ * the two goes on to do so for as long as the speed along it, turns included, needs for the gap. Bodies that turn on each other
+ * hardly come nearer than they are, and would advance by tiny steps, so a longer step is tried first. Two separated at both of
+ * its ends, by one direction or by two, are separated all along it but for the curves of both, as {@link TurningSweep} has it.
  *
  * <p>Nothing relies on it but how well a collision is resolved: the world decides what is free.
  */
@@ -22,6 +24,9 @@ final class SpatialTimeOfImpact {
     private static final double CLOSE = 1e-3 * TurningSweep.GAP;
 
     private static final int MOST_STEPS = 64;
+
+    /** So many longer steps are tried before the one that is certain. */
+    private static final int MOST_TRIES = 8;
 
     private final List<RigidBody> bodies;
     private final NearbyPieces near;
@@ -39,6 +44,16 @@ final class SpatialTimeOfImpact {
     private final double[] apart = new double[3];
     private final double[] spin = new double[3];
     private final double[] across = new double[3];
+
+    /** The direction at the beginning of a step, and by how much it separates the two. */
+    private final double[] first = new double[3];
+
+    private double begins;
+
+    /** Whether the end of the last step that was tried has been measured, and the share of it that may be free. */
+    private boolean isMeasured;
+
+    private double hope;
 
     SpatialTimeOfImpact(List<RigidBody> bodies, NearbyPieces near) {
         this.bodies = bodies;
@@ -106,10 +121,10 @@ final class SpatialTimeOfImpact {
 
     private double advance(RigidBody a, RigidBody b, double from, double before) {
         double share = from;
+        double length = before - from;
+        isMeasured = false;
         for (int step = 0; step < MOST_STEPS; step++) {
-            place(a, wayA, turnA, share, placeA, leafA);
-            place(b, wayB, turnB, share, placeB, leafB);
-            if (!meeting.measure(leafA.kind(0), leafA.rows(), 0, leafB.kind(0), leafB.rows(), 0)) {
+            if (!isMeasured && !isApart(a, b, share)) {
                 return share == 0 ? NEVER : share;
             }
             double closing = closing(a, b, before - share);
@@ -118,12 +133,69 @@ final class SpatialTimeOfImpact {
                 // Those that touch have been resolved when the slice began.
                 return share == 0 ? NEVER : share;
             }
-            share += Math.max(0, gap) / closing;
-            if (!(closing > 0) || share >= before) {
+            double certain = Math.max(0, gap) / closing;
+            if (!(closing > 0) || share + certain >= before) {
                 return NEVER;
             }
+            length = longest(a, b, share, Math.min(length, before - share), certain);
+            share += length;
+            if (share >= before) {
+                return NEVER;
+            }
+            length *= 4;
         }
         return share;
+    }
+
+    /** The longest step from a share that was tried with success, or the one that is certain. */
+    private double longest(RigidBody a, RigidBody b, double share, double length, double certain) {
+        first[0] = meeting.nx;
+        first[1] = meeting.ny;
+        first[2] = meeting.nz;
+        begins = meeting.apart;
+        double by = length;
+        for (int tries = 0; tries < MOST_TRIES && by > certain; tries++) {
+            if (isPast(a, b, share, by)) {
+                return by;
+            }
+            by *= hope;
+        }
+        isMeasured = false;
+        return certain;
+    }
+
+    private boolean isApart(RigidBody a, RigidBody b, double share) {
+        place(a, wayA, turnA, share, placeA, leafA);
+        place(b, wayB, turnB, share, placeB, leafB);
+        return meeting.measure(leafA.kind(0), leafA.rows(), 0, leafB.kind(0), leafB.rows(), 0);
+    }
+
+    /** Whether two that are apart at a share come no nearer than contact in a step that ends apart. */
+    private boolean isPast(RigidBody a, RigidBody b, double share, double length) {
+        double turnsA = a.isBall ? 0 : RigidBody.length(turnA, 0) * length;
+        double turnsB = b.isBall ? 0 : RigidBody.length(turnB, 0) * length;
+        double curve = (a.reach * turnsA * turnsA + b.reach * turnsB * turnsB) / 8;
+        isMeasured = isApart(a, b, share + length);
+        double ends = meeting.along(
+                leafA.kind(0), leafA.rows(), 0, leafB.kind(0), leafB.rows(), 0, first[0], first[1], first[2]);
+        if (isMeasured && ends > MET && Math.min(begins, ends) > curve) {
+            return true;
+        }
+        hope = Math.min(0.99, Math.max(0x1p-4, (begins - MET) / (begins - ends)));
+        if (!isMeasured || meeting.apart <= MET) {
+            return false;
+        }
+        double x = meeting.nx - first[0];
+        double y = meeting.ny - first[1];
+        double z = meeting.nz - first[2];
+        double change = Math.sqrt(x * x + y * y + z * z);
+        for (int axis = 0; axis < 3; axis++) {
+            apart[axis] = (wayA[axis] - wayB[axis]) * length;
+        }
+        double need = curve + change * (RigidBody.length(apart, 0) + a.reach * turnsA + b.reach * turnsB) / 4;
+        double least = Math.min(begins, meeting.apart);
+        hope = Math.max(0x1p-4, 0.9 * Math.sqrt(least / need));
+        return least > need;
     }
 
     /**
