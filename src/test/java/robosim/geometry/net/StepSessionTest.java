@@ -123,11 +123,7 @@ class StepSessionTest {
         StepBundle.Answer answer = step(
                 session,
                 new StepBundle(
-                        1,
-                        List.of(coasts),
-                        List.of(),
-                        null,
-                        List.of(PushRequest.impulse("ball", new Point(0, 0, 0)))));
+                        1, List.of(coasts), List.of(), null, List.of(PushRequest.impulse("ball", new Point(0, 0, 0)))));
         assertThat(answer.bodies().get(0).velocity().z()).isEqualTo(1);
         assertThat(answer.bodies().get(0).center().z()).isEqualTo(2);
     }

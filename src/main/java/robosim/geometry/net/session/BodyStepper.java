@@ -341,9 +341,7 @@ public final class BodyStepper {
                         .driving(command.forward(), turn);
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
-            case SWERVE ->
-                swerve(object, drive.swerve())
-                        .driving(command.forward(), command.right(), turn);
+            case SWERVE -> swerve(object, drive.swerve()).driving(command.forward(), command.right(), turn);
             case NONE -> throw new IllegalStateException("a body with a drive of kind NONE has none");
         };
     }
@@ -351,9 +349,8 @@ public final class BodyStepper {
     /** A swerve drive, its modules at the angles that they have, so that each turns the shorter way. */
     private SwerveDrive swerve(GeometryObject object, @Nullable SwerveSettings asked) {
         Bounds box = object.turned(0, -object.heading()).bounds();
-        SwerveDrive made = asked == null
-                ? SwerveDrive.of(box.width(), box.length(), null, 1)
-                : BodyRequests.swerve(asked);
+        SwerveDrive made =
+                asked == null ? SwerveDrive.of(box.width(), box.length(), null, 1) : BodyRequests.swerve(asked);
         String name = String.valueOf(object.name());
         @Nullable Drive old = dynamics.has(name) ? dynamics.drive(name) : null;
         if (!(old instanceof SwerveDrive before)
