@@ -25,7 +25,7 @@ public final class DepthFrame extends RayFrame {
     }
 
     @Override
-    void finish(RaySensor<?, ?> by) {
+    void finish() {
         RayPattern rays = rays();
         int count = rays.size();
         if (depths.length < count) {

@@ -201,4 +201,9 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
     Lidar with(Setup other) {
         return new Lidar(other, delays);
     }
+
+    @Override
+    void finish(LidarFrame out) {
+        out.finish(this);
+    }
 }

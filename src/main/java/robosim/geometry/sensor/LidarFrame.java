@@ -35,9 +35,8 @@ public final class LidarFrame extends RayFrame {
         return hasIntensities || (hasObjects && extra != SenseBuffer.Extra.NORMALS);
     }
 
-    @Override
-    void finish(RaySensor<?, ?> by) {
-        lidar = (Lidar) by;
+    void finish(Lidar by) {
+        lidar = by;
         if (!hasIntensities) {
             return;
         }

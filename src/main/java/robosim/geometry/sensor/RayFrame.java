@@ -63,7 +63,7 @@ public class RayFrame {
     }
 
     /** Computes what the frame has beside distances, objects and normals; distances may have noise by now. */
-    void finish(RaySensor<?, ?> by) {}
+    void finish() {}
 
     /**
      * Makes a buffer with what is needed.

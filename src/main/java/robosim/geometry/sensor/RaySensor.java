@@ -27,6 +27,11 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /** The same kind of sensor, set up otherwise. */
     abstract S with(Setup other);
 
+    /** Lets the frame compute what it has beside distances, objects and normals. */
+    void finish(F out) {
+        out.finish();
+    }
+
     /** What kind of sensor it is, for people. */
     String kind() {
         return getClass().getSimpleName();
@@ -162,7 +167,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
             }
         }
         out.measure(setup);
-        out.finish(this);
+        finish(out);
         out.finished();
     }
 

@@ -31,7 +31,7 @@ public final class SegmentationFrame extends RayFrame {
 
     @Override
     @SuppressWarnings("ReferenceEquality") // each object of a world is one instance
-    void finish(RaySensor<?, ?> by) {
+    void finish() {
         int count = rays().size();
         if (instances.length < count) {
             instances = new int[count];
