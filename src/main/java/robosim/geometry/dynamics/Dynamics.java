@@ -251,7 +251,7 @@ public final class Dynamics {
      * @param at      where it acts, on the body or not, in the world; its height does not count in a PLANAR world
      */
     public void applyImpulse(String name, Point impulse, Point at) {
-        BodyState state = whole(state(name));
+        BodyState state = attached.whole(state(name));
         double[] by = push("impulse", state.name, impulse, at);
         if (falling != null) {
             SpatialBodies.give(state, world.getObject(state.name), by);
@@ -275,7 +275,7 @@ public final class Dynamics {
      * @param at    where it acts, as for an {@linkplain #applyImpulse impulse}
      */
     public void applyForce(String name, Point force, Point at) {
-        BodyState state = whole(state(name));
+        BodyState state = attached.whole(state(name));
         state.push(push("force", state.name, force, at));
     }
 
