@@ -60,7 +60,7 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
         int[] cells = new int[16];
         walk.startBox(grid, 0, box);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            int part = leaves.appendWhole(walk.piece(cell), 0, 1);
+            int part = leaves.appendWhole(walk.piece(cell, grid.kind(0)), 0, 1);
             if (part == cells.length) {
                 cells = Arrays.copyOf(cells, 2 * part);
             }
@@ -77,7 +77,7 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
             leaves.bounds(0, box);
             GridWalk walk = new GridWalk(new WorkCounter());
             walk.startBox(leaves, 0, box);
-            return new Leaf().set(walk.piece(part.part()), 0);
+            return new Leaf().set(walk.piece(part.part(), leaves.kind(0)), 0);
         }
         if (part.part() < 0 || part.part() >= leaves.size()) {
             throw new IllegalArgumentException(

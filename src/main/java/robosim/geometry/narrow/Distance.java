@@ -99,7 +99,7 @@ public final class Distance {
         for (int cell = walk.nextAround(reach(limit, sizes));
                 cell >= 0;
                 cell = walk.nextAround(reach(Math.min(limit, best), sizes))) {
-            double distance = between(dimension, other, k, walk.piece(cell), 0, Math.min(limit, best));
+            double distance = between(dimension, other, k, walk.piece(cell, kind), 0, Math.min(limit, best));
             if (distance < best || (distance == best && cell < nearest)) {
                 best = distance;
                 nearest = cell;
@@ -111,9 +111,7 @@ public final class Distance {
         return best;
     }
 
-    private double convex(Dimension dimension, Leaf first, Leaf second) {
-        Leaf a = s.leaf.beside(first, second);
-        Leaf b = s.leaf.beside(second, first);
+    private double convex(Dimension dimension, Leaf a, Leaf b) {
         if (!s.leaf.scaling.take(dimension, a, b)) {
             return asStored(dimension, a, b);
         }

@@ -122,7 +122,7 @@ public final class Overlap {
         widen(dimension, s.leaf.box);
         walk.startBox(grid, leaf, s.leaf.box);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            if (test(dimension, other, k, walk.piece(cell), 0, s)) {
+            if (test(dimension, other, k, walk.piece(cell, kind), 0, s)) {
                 return true;
             }
         }

@@ -80,7 +80,7 @@ final class PiecePairs {
         GridWalk walk = s.leaf.cells(piece.kind);
         walk.startBox(grid, leaf, own);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            LeafColumn box = walk.piece(cell);
+            LeafColumn box = walk.piece(cell, piece.kind);
             if (visitor.visit(piece, t, second.set(box, 0), cell)) {
                 return true;
             }

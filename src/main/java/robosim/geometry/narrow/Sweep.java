@@ -502,7 +502,7 @@ public final class Sweep {
         double least = Double.POSITIVE_INFINITY;
         int first = -1;
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            LeafColumn box = walk.piece(cell);
+            LeafColumn box = walk.piece(cell, leaf.kind);
             double share = piece(leaf, obstacle.set(box, 0), cell, least);
             if (share < least || (share == least && cell < first)) {
                 least = share;
@@ -601,9 +601,7 @@ public final class Sweep {
         return pairs == null ? share : pairs.share(own, u, before);
     }
 
-    private double convex(Leaf first, Leaf second) {
-        Leaf a = s.leaf.beside(first, second);
-        Leaf b = s.leaf.beside(second, first);
+    private double convex(Leaf a, Leaf b) {
         boolean isFlat = dimension == Dimension.PLANAR;
         Dimension counted = isLevel() ? Dimension.PLANAR : Dimension.SPATIAL;
         double y = isLevel() ? 0 : turns ? turn.py : dy;

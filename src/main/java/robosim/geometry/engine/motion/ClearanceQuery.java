@@ -299,7 +299,7 @@ public final class ClearanceQuery {
         }
         walk.startBox(from, first, near);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            out.appendWhole(walk.piece(cell), 0, 1);
+            out.appendWhole(walk.piece(cell, from.kind(first)), 0, 1);
         }
     }
 

@@ -6,7 +6,6 @@ import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.narrow.leaf.Enclosure;
 import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
@@ -77,7 +76,7 @@ final class EnclosureSweep {
         }
         walk.startBox(leaves, leaf, swept);
         for (int cell = walk.nextInBox(); cell >= 0; cell = walk.nextInBox()) {
-            LeafColumn own = walk.piece(cell);
+            LeafColumn own = walk.piece(cell, segment.atStart.kind(0));
             own.bounds(0, bounds);
             takeOctagon(own, 0);
             double met = timeOfImpact(box);
@@ -91,7 +90,7 @@ final class EnclosureSweep {
 
     private void takeOctagon(LeafColumn leaves, int leaf) {
         if (view.accuracy == Accuracy.DOP) {
-            Enclosure.diagonals(leaves, leaf, octagon);
+            System.arraycopy(leaves.rows(leaf), leaves.at(leaf) + 4, octagon, 0, 4);
         }
     }
 

@@ -18,7 +18,6 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.model.Twist;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
-import robosim.geometry.narrow.leaf.Enclosure;
 import robosim.geometry.narrow.leaf.LeafBoxes;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
@@ -420,7 +419,7 @@ public final class MotionSegment {
      * the first share of a turn.
      */
     void sweptDiagonals(double share, double[] out) {
-        Enclosure.diagonals(atStart, 0, out);
+        System.arraycopy(atStart.rows(0), atStart.at(0) + 4, out, 0, 4);
         exactAtStart();
         turnBy(share);
         for (int leaf = 0; leaf < exact.size(); leaf++) {

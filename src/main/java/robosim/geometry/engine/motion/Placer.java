@@ -108,7 +108,7 @@ public final class Placer {
         } else if (kind.isGrid()) {
             grids.startBox(leaves, leaf, box);
             for (int cell = grids.nextInBox(); cell >= 0; cell = grids.nextInBox()) {
-                LeafColumn piece = grids.piece(cell);
+                LeafColumn piece = grids.piece(cell, LeafKind.BOX);
                 out.piece(other, piece.kind(0), piece.rows(), 0);
             }
         } else {

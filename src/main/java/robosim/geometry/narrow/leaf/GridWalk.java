@@ -26,6 +26,9 @@ public final class GridWalk {
     /** The cell that was asked for last, as a leaf. */
     private final LeafColumn box = new LeafColumn(1);
 
+    /** The same as an octagonal prism. */
+    private final LeafColumn prism = new LeafColumn(1);
+
     private PlacedCells cells;
     private double[] row;
     private int at;
@@ -47,7 +50,7 @@ public final class GridWalk {
     public GridWalk(WorkCounter work) {
         this.work = work;
         box.append(1);
-        box.setKind(0, LeafKind.UPRIGHT_BOX);
+        prism.append(1);
     }
 
     /** Opens a grid, for its cells alone or for a query. */
@@ -257,9 +260,18 @@ public final class GridWalk {
         CellBox.write(cells, row, at, cell, out, to);
     }
 
-    /** A cell as the only leaf of a column, valid until the next one is queried. */
-    public LeafColumn piece(int cell) {
+    /**
+     * A cell as the only leaf of a column, valid until the next one is asked for.
+     *
+     * @param other what it is compared with: for a {@link LeafKind#PRISM}, which has kernels only for its kind, it is one too
+     */
+    public LeafColumn piece(int cell, LeafKind other) {
         corners(cell, box.rows(), 0);
-        return box;
+        box.setKind(0, LeafKind.UPRIGHT_BOX);
+        if (!other.isEnclosure()) {
+            return box;
+        }
+        Enclosure.prism(box, prism, 0);
+        return prism;
     }
 }

@@ -43,20 +43,6 @@ public final class LeafScratch {
         return made;
     }
 
-    private final Leaf prism = new Leaf(LeafKind.PRISM);
-
-    /**
-     * A leaf as it is compared with another one: an upright box beside an octagonal prism is one too, as a few subtractions compare
-     * two of these. Valid until the next one.
-     */
-    public Leaf beside(Leaf leaf, Leaf other) {
-        if (other.kind != LeafKind.PRISM || leaf.kind != LeafKind.UPRIGHT_BOX) {
-            return leaf;
-        }
-        Enclosure.prism(leaf, prism.row);
-        return prism;
-    }
-
     /** The two leaves of a query. */
     public final Leaf placedA = new Leaf();
 

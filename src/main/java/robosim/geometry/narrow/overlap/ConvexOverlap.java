@@ -14,9 +14,7 @@ public final class ConvexOverlap {
     private ConvexOverlap() {}
 
     /** Whether they touch or overlap. */
-    public static boolean test(Dimension dimension, Leaf first, Leaf second, OverlapScratch s) {
-        Leaf a = s.leaf.beside(first, second);
-        Leaf b = s.leaf.beside(second, first);
+    public static boolean test(Dimension dimension, Leaf a, Leaf b, OverlapScratch s) {
         return dimension == Dimension.PLANAR ? PlanarOverlap.test(a, b, s) : SpatialOverlap.test(a, b, s);
     }
 
