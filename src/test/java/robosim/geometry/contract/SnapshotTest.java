@@ -215,7 +215,7 @@ class SnapshotTest {
         assertThat(Allocated.once(() -> copy.snapshot()))
                 .as("a snapshot of a copy")
                 .isLessThan(50_000);
-        assertThat(Allocated.once(() -> large.toGeometries(100))).isLessThan(100 * 42_000);
+        assertThat(Allocated.once(() -> large.toGeometries(100))).isLessThan(100 * 42_500);
         assertThat(Allocated.once(() -> grid(20_000))).isGreaterThan(20_000 * 100);
     }
 

@@ -94,7 +94,7 @@ class SerialClassesTest {
                         .isTrue();
             }
         }
-        assertThat(crossing).isEqualTo(100);
+        assertThat(crossing).isEqualTo(105);
     }
 
     /** An object under its own class's name, as no writer makes it. */
@@ -123,6 +123,7 @@ class SerialClassesTest {
         String stored = new String(StoredBytesTest.stored(StoredBytesTest.WITH_MATERIALS), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored(StoredBytesTest.WITH_VISUALS), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored(StoredBytesTest.WITH_LAYERS), StandardCharsets.ISO_8859_1)
+                + new String(StoredBytesTest.stored(StoredBytesTest.WITH_PUSHES), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("batches.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("frames.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("pictures.ser"), StandardCharsets.ISO_8859_1)

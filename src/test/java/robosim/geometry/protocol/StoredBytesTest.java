@@ -25,6 +25,7 @@ class StoredBytesTest {
     static final String WITH_MATERIALS = "with-materials.ser";
     static final String WITH_VISUALS = "with-visuals.ser";
     static final String WITH_LAYERS = "with-layers.ser";
+    static final String WITH_PUSHES = "with-pushes.ser";
 
     @Test
     void theFirstReleasesBytesMeanWhatTheyMeant() throws IOException {
@@ -58,6 +59,12 @@ class StoredBytesTest {
         assertThat(MessageTest.readAll(stored(WITH_LAYERS))).isEqualTo(BatchSamples.drives());
     }
 
+    @Test
+    void bytesWithAttachmentsAndPushesMeanWhatTheyMeant() throws IOException {
+        assertThat(MessageTest.readAll(stored(WITH_PUSHES)))
+                .isEqualTo(List.of(BatchSamples.attachments(), StepSamples.pushing()));
+    }
+
     /** Requests about copies of a world, and an object that is seen as another one. */
     private static List<Bundle> withVisuals() {
         List<Bundle> bundles = new ArrayList<>(BatchSamples.copies());
@@ -86,8 +93,8 @@ class StoredBytesTest {
         private Write() {}
 
         public static void main(String[] args) throws IOException {
-            byte[] bytes = MessageTest.write(BatchSamples.drives().toArray(Bundle[]::new));
-            Files.write(Path.of(args[0], WITH_LAYERS), bytes);
+            byte[] bytes = MessageTest.write(BatchSamples.attachments(), StepSamples.pushing());
+            Files.write(Path.of(args[0], WITH_PUSHES), bytes);
         }
     }
 }

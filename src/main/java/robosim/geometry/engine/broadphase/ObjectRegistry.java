@@ -563,6 +563,9 @@ public final class ObjectRegistry {
     /** Leaves out the objects of some names, and of layers of some names, until {@code objects.ignored.clear()}. */
     public void ignore(Set<String> names) {
         objects.ignored.clear();
+        if (names.isEmpty()) {
+            return; // so that an ordinary query makes no iterator
+        }
         for (String name : names) {
             int id = objects.find(name);
             if (id >= 0) {
