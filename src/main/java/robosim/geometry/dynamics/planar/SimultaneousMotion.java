@@ -13,7 +13,7 @@ final class SimultaneousMotion {
     private static final int FIRST = 32;
 
     /** So often those that do not pass each other are parted more, and once more for each of them: a row of bodies needs that. */
-    private static final int ROUNDS = 16;
+    private static final int ROUNDS = 48;
 
     private static final int MOST_ROUNDS = 64;
 
