@@ -40,6 +40,8 @@ public record Frame(
         String words,
         List<String> notes,
         @Nullable Timing timing) {
+    /** Letters of a step's words up to which commands without any time are added to it. */
+    private static final int MOST_WORDS = 200;
 
     /** A frame that only begins a world. */
     public static Frame of(Setting opening, String words) {
@@ -53,13 +55,18 @@ public record Frame(
 
     /**
      * This frame and the next one as one control step: robots measure, others measure too, they are given commands, and then
-     * they move. Null if they are two: one that measures again has begun another step.
+     * they move. Null if they are two: one that measures again has begun another step, and so have ever more commands.
      */
     @Nullable
     Frame with(Frame next) {
-        boolean isAct = next.heard.isEmpty() && next.opening == null;
+        if (!isBeforeMoves() || next.opening != null) {
+            return null;
+        }
+        boolean isCommand = next.isBeforeMoves() && next.heard.isEmpty();
+        boolean isAct = next.heard.isEmpty() && !isCommand;
         boolean isMore = next.isBeforeMoves() && Collections.disjoint(heard.keySet(), next.heard.keySet());
-        if (!isBeforeMoves() || !(isAct || isMore)) {
+        boolean isShort = !isCommand || words.length() + next.words.length() < MOST_WORDS;
+        if (!isAct && (heard.isEmpty() || !isMore || !isShort)) {
             return null;
         }
         Map<String, List<Scene.Ping>> all = new LinkedHashMap<>(heard);

@@ -16,8 +16,9 @@ import org.junit.jupiter.api.Test;
 
 /** The published schema says of each number what it is in. */
 class SchemaUnitsTest {
-    private static final Pattern UNIT = Pattern.compile(
-            "radians|degrees|world units|metres|seconds|\\bkg\\b|\\bm/s\\b|1/s" + "|newton|turns a minute|turns of|amperes|ohms|without a unit|srgb");
+    private static final Pattern UNIT =
+            Pattern.compile("radians|degrees|world units|metres|seconds|\\bkg\\b|\\bm/s\\b|1/s"
+                    + "|newton|turns a minute|turns of|amperes|ohms|without a unit|srgb");
 
     private static final Pattern ANGLE =
             Pattern.compile("heading|turn|r[xy]|.*Radians|fieldOfView|elevations|maxTurn.*|maxSlope|angle");
