@@ -2,11 +2,10 @@ package robosim.geometry.sensor;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 
-/** An image of a {@linkplain Camera#depth depth camera}. */
+/** An image of a {@link DepthCamera}. */
 public final class DepthFrame extends RayFrame {
     /** The largest depth in millimetres that 16 bits take. */
     private static final int MOST_MILLIMETRES = 0xffff;
@@ -19,12 +18,6 @@ public final class DepthFrame extends RayFrame {
     /** An empty frame. */
     public DepthFrame() {}
 
-    @Override
-    boolean needs(SenseBuffer.Extra extra) {
-        return false;
-    }
-
-    @Override
     void finish() {
         RayPattern rays = rays();
         int count = rays.size();

@@ -29,49 +29,57 @@ public record Intrinsics(int width, int height, double fx, double fy, double cx,
     /** The most steps towards the place that a lens shows in a pixel; a few are enough where it can be found at all. */
     private static final int MOST_STEPS = 100;
 
-    /**
-     * How a lens bends what it shows, as OpenCV describes it: its coefficients, in their order.
-     *
-     * @param isFisheye whether it is an equidistant fisheye; else it is one of Brown and Conrady's
-     * @param first  k1
-     * @param second k2
-     * @param third  p1 of Brown and Conrady, k3 of a fisheye
-     * @param fourth p2, or k4
-     * @param fifth  k3 of Brown and Conrady; 0 of a fisheye
-     */
-    public record Distortion(
-            boolean isFisheye, double first, double second, double third, double fourth, double fifth) {
-        /** A lens that bends nothing. */
-        public static final Distortion NONE = new Distortion(false, 0, 0, 0, 0, 0);
-
-        /** Refuses numbers that are NaN or out of range. */
-        public Distortion {
-            Checks.coordinate("first", first);
-            Checks.coordinate("second", second);
-            Checks.coordinate("third", third);
-            Checks.coordinate("fourth", fourth);
-            Checks.coordinate("fifth", fifth);
-            if (isFisheye && fifth != 0) {
-                throw new IllegalArgumentException("fifth must be 0 for a fisheye (got: " + fifth + ")");
-            }
-        }
-
+    /** How a lens bends what it shows, as OpenCV describes it. */
+    public enum Lens {
         /**
          * Brown and Conrady's: {@code plumb_bob} of ROS, {@code <distortion>} of SDFormat. With x to the right, y down and
          * r<sup>2</sup> = x<sup>2</sup> + y<sup>2</sup> for each unit forward, a point is seen at x (1 + k1 r<sup>2</sup> +
          * k2 r<sup>4</sup> + k3 r<sup>6</sup>) + 2 p1 x y + p2 (r<sup>2</sup> + 2 x<sup>2</sup>), and at y likewise with p1 and
          * p2 exchanged.
          */
-        public static Distortion brownConrady(double k1, double k2, double p1, double p2, double k3) {
-            return new Distortion(false, k1, k2, p1, p2, k3);
-        }
-
+        BROWN_CONRADY,
         /**
          * A fisheye: {@code equidistant} of ROS. What is t radians off the axis is seen t (1 + k1 t<sup>2</sup> + k2
          * t<sup>4</sup> + k3 t<sup>6</sup> + k4 t<sup>8</sup>) from it. It may see more than half of the world.
          */
+        EQUIDISTANT
+    }
+
+    /**
+     * A lens with its coefficients, in the order of OpenCV.
+     *
+     * @param lens   what the numbers mean
+     * @param first  k1
+     * @param second k2
+     * @param third  p1 of Brown and Conrady, k3 of a fisheye
+     * @param fourth p2, or k4
+     * @param fifth  k3 of Brown and Conrady; 0 of a fisheye
+     */
+    public record Distortion(Lens lens, double first, double second, double third, double fourth, double fifth) {
+        /** A lens that bends nothing. */
+        public static final Distortion NONE = new Distortion(Lens.BROWN_CONRADY, 0, 0, 0, 0, 0);
+
+        /** Refuses numbers that are NaN or out of range. */
+        public Distortion {
+            Checks.present("lens", lens);
+            Checks.coordinate("first", first);
+            Checks.coordinate("second", second);
+            Checks.coordinate("third", third);
+            Checks.coordinate("fourth", fourth);
+            Checks.coordinate("fifth", fifth);
+            if (lens == Lens.EQUIDISTANT && fifth != 0) {
+                throw new IllegalArgumentException("fifth must be 0 for a fisheye (got: " + fifth + ")");
+            }
+        }
+
+        /** Of Brown and Conrady. */
+        public static Distortion brownConrady(double k1, double k2, double p1, double p2, double k3) {
+            return new Distortion(Lens.BROWN_CONRADY, k1, k2, p1, p2, k3);
+        }
+
+        /** Of an equidistant fisheye. */
         public static Distortion fisheye(double k1, double k2, double k3, double k4) {
-            return new Distortion(true, k1, k2, k3, k4, 0);
+            return new Distortion(Lens.EQUIDISTANT, k1, k2, k3, k4, 0);
         }
 
         /** Whether the camera is a pinhole. */
@@ -81,14 +89,14 @@ public record Intrinsics(int width, int height, double fx, double fy, double cx,
 
         /** The coefficients in the order of OpenCV and of a {@code CameraInfo} of ROS. */
         public double[] coefficients() {
-            return isFisheye
+            return lens == Lens.EQUIDISTANT
                     ? new double[] {first, second, third, fourth}
                     : new double[] {first, second, third, fourth, fifth};
         }
 
         /** Writes what is seen at a place of the image, a unit in front: forward, up and to the right. */
         private boolean aim(double seenX, double seenY, double[] out, int at) {
-            if (isFisheye) {
+            if (lens == Lens.EQUIDISTANT) {
                 return aimFisheye(seenX, seenY, out, at);
             }
             double x = seenX;

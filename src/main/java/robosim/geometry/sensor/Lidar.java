@@ -1,5 +1,6 @@
 package robosim.geometry.sensor;
 
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -205,5 +206,11 @@ public final class Lidar extends RaySensor<Lidar, LidarFrame> {
     @Override
     void finish(LidarFrame out) {
         out.finish(this);
+    }
+
+    @Override
+    boolean needs(SenseBuffer.Extra extra, LidarFrame out) {
+        return out.has(LidarFrame.Extra.INTENSITIES)
+                || (out.has(LidarFrame.Extra.OBJECTS) && extra != SenseBuffer.Extra.NORMALS);
     }
 }

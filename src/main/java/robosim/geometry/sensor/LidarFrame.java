@@ -1,43 +1,40 @@
 package robosim.geometry.sensor;
 
-import java.util.Locale;
+import java.util.EnumSet;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.sensor.effects.Surfaces;
 
 /** A turn of a {@link Lidar}: ranges, rings and times, and where they are wanted intensities and objects. */
 public final class LidarFrame extends RayFrame {
-    private boolean hasIntensities;
-    private boolean hasObjects;
+    /** What a frame may take beside ranges, rings and times. */
+    public enum Extra {
+        /** How much light comes back: see {@link LidarFrame#intensity}. */
+        INTENSITIES,
+        /** What each ray met: see {@link LidarFrame#object}. */
+        OBJECTS
+    }
+
+    private final EnumSet<Extra> extras = EnumSet.noneOf(Extra.class);
     private double[] intensities = new double[0];
     private @Nullable Lidar lidar;
     private final Surfaces surfaces = new Surfaces();
 
-    /** A frame for ranges, rings and times. */
-    public LidarFrame() {}
-
-    /** This frame, which from now on takes {@linkplain #intensity intensities} too. */
-    public LidarFrame withIntensities() {
-        hasIntensities = true;
-        return this;
+    /** A frame for ranges, rings and times, and more. */
+    public LidarFrame(Extra... extras) {
+        for (Extra extra : Checks.present("extras", extras)) {
+            this.extras.add(Checks.present("extra", extra));
+        }
     }
 
-    /** This frame, which from now on takes {@linkplain #object what each ray met} too. */
-    public LidarFrame withObjects() {
-        hasObjects = true;
-        return this;
-    }
-
-    @Override
-    boolean needs(SenseBuffer.Extra extra) {
-        return hasIntensities || (hasObjects && extra != SenseBuffer.Extra.NORMALS);
+    boolean has(Extra extra) {
+        return extras.contains(extra);
     }
 
     void finish(Lidar by) {
         lidar = by;
-        if (!hasIntensities) {
+        if (!has(Extra.INTENSITIES)) {
             return;
         }
         int count = rays().size();
@@ -72,25 +69,25 @@ public final class LidarFrame extends RayFrame {
      * intensities of real lidars it does not fall off with the distance.
      */
     public double intensity(int ray) {
-        checkHas(hasIntensities, "Intensities");
+        checkHas(Extra.INTENSITIES);
         return intensities[checked(ray)];
     }
 
     /** All intensities: the frame's own array, as with {@link #ranges}. */
     public double[] intensities() {
-        checkHas(hasIntensities, "Intensities");
+        checkHas(Extra.INTENSITIES);
         return intensities;
     }
 
-    @Override
+    /** The object that a ray met, noise aside; null for none. See {@link robosim.geometry.SenseBuffer#object}. */
     public @Nullable GeometryObject object(int ray) {
-        checkHas(hasObjects, "Objects");
-        return super.object(ray);
+        checkHas(Extra.OBJECTS);
+        return metBy(ray);
     }
 
     /** Which part of a group a ray met, noise aside. See {@link robosim.geometry.SenseBuffer#part}. */
     public int part(int ray) {
-        checkHas(hasObjects, "Objects");
+        checkHas(Extra.OBJECTS);
         return buffer().part(checked(ray));
     }
 
@@ -102,10 +99,10 @@ public final class LidarFrame extends RayFrame {
         return met == null ? 0 : surfaces.of(met, part(ray)).label();
     }
 
-    private static void checkHas(boolean has, String what) {
-        if (!has) {
-            throw new IllegalArgumentException("the frame must have been made for " + what.toLowerCase(Locale.ROOT)
-                    + ", as by new LidarFrame().with" + what + "() (got: none)");
+    private void checkHas(Extra extra) {
+        if (!has(extra)) {
+            throw new IllegalArgumentException("the frame must have been made for " + extra
+                    + ", as by new LidarFrame(Extra." + extra + ") (got: none)");
         }
     }
 

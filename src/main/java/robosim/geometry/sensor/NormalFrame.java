@@ -2,21 +2,15 @@ package robosim.geometry.sensor;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import robosim.geometry.SenseBuffer;
 import robosim.geometry.image.PngWriter;
 import robosim.geometry.world.shared.AtomicFileWriter;
 
-/** An image of a {@linkplain Camera#normals camera that sees normals}. */
+/** An image of a {@link NormalCamera}. */
 public final class NormalFrame extends RayFrame {
     private final double[] vector = new double[3];
 
     /** An empty frame. */
     public NormalFrame() {}
-
-    @Override
-    boolean needs(SenseBuffer.Extra extra) {
-        return extra == SenseBuffer.Extra.NORMALS;
-    }
 
     /**
      * The X component, along the world's axis, of the unit normal of the surface that a ray met; 0 for none. It is, to the

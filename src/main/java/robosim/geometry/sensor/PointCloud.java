@@ -14,7 +14,7 @@ import robosim.geometry.check.Checks;
  * <pre>{@code
  * Geometry world = new Geometry(20, 4, 20);
  * world.addObject(new BoxObject(new Point(5, 0, 0), 2, 2, 2));
- * LidarFrame turn = new LidarFrame().withIntensities();
+ * LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES);
  * Lidar.velodyneVlp16(10).read(world, turn);
  * PointCloud cloud = new PointCloud(PointCloud.Field.INTENSITY, PointCloud.Field.RING);
  * turn.addTo(cloud);

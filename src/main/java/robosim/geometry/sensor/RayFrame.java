@@ -19,7 +19,7 @@ import robosim.geometry.sensor.effects.NoisyFrame;
  *
  * <p>The rays are in the order of the sensor's {@link RayPattern}: element {@code row * columns() + column}.
  */
-public class RayFrame {
+public abstract class RayFrame {
     private static final double[] NONE = new double[0];
 
     private SenseBuffer buffer = new SenseBuffer();
@@ -52,18 +52,9 @@ public class RayFrame {
     private boolean hasIncidence;
     private final double[] vector = new double[3];
 
-    /** An empty frame. */
-    public RayFrame() {}
+    RayFrame() {}
 
     // What the sensor does while it reads.
-
-    /** Whether the frame takes something beside distances, whatever the noise. */
-    boolean needs(SenseBuffer.Extra extra) {
-        return extra == SenseBuffer.Extra.OBJECTS;
-    }
-
-    /** Computes what the frame has beside distances, objects and normals; distances may have noise by now. */
-    void finish() {}
 
     /**
      * Makes a buffer with what is needed.
@@ -380,16 +371,8 @@ public class RayFrame {
                 + getClass().getSimpleName() + ")");
     }
 
-    /**
-     * The object that a ray met, or whose echo a sonar heard, noise aside; null for none. See {@link SenseBuffer#object}.
-     *
-     * @throws IllegalArgumentException if this kind of frame does not take objects
-     */
-    public @Nullable GeometryObject object(int ray) {
-        if (!needs(SenseBuffer.Extra.OBJECTS)) {
-            throw new IllegalArgumentException("the frame must be of a kind that takes objects (got: a "
-                    + getClass().getSimpleName() + ")");
-        }
+    @Nullable
+    GeometryObject metBy(int ray) {
         return buffer.object(checked(ray));
     }
 

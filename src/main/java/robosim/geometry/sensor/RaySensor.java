@@ -27,14 +27,12 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /** The same kind of sensor, set up otherwise. */
     abstract S with(Setup other);
 
-    /** Lets the frame compute what it has beside distances, objects and normals. */
-    void finish(F out) {
-        out.finish();
-    }
+    /** Computes what the frame has beside distances, objects and normals; distances may have noise by now. */
+    void finish(F out) {}
 
-    /** What kind of sensor it is, for people. */
-    String kind() {
-        return getClass().getSimpleName();
+    /** Whether the frame needs something beside distances, whatever the noise. */
+    boolean needs(SenseBuffer.Extra extra, F out) {
+        return false;
     }
 
     /**
@@ -153,9 +151,9 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
         Checks.present("out", out);
         boolean needsIncidence = setup.noise().needsIncidence();
         out.prepare(
-                out.needs(SenseBuffer.Extra.OBJECTS),
-                out.needs(SenseBuffer.Extra.PARTS),
-                out.needs(SenseBuffer.Extra.NORMALS) || needsIncidence,
+                needs(SenseBuffer.Extra.OBJECTS, out),
+                needs(SenseBuffer.Extra.PARTS, out),
+                needs(SenseBuffer.Extra.NORMALS, out) || needsIncidence,
                 setup.options().width() > 0);
         setup.mounting().sense(world, setup.pattern(), setup.asked().rays(), out.buffer());
         out.filled(setup, frame);
@@ -184,7 +182,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
 
     @Override
     public String toString() {
-        return kind() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options() + ", "
-                + setup.outOfRange() + ", " + setup.noise();
+        return getClass().getSimpleName() + " " + setup.mounting() + ", " + setup.pattern() + ", " + setup.options()
+                + ", " + setup.outOfRange() + ", " + setup.noise();
     }
 }

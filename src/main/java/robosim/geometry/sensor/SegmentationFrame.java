@@ -5,13 +5,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import robosim.geometry.SenseBuffer;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.sensor.effects.Surfaces;
 
 /**
- * An image of a {@linkplain Camera#segmentation camera that sees objects}. Objects are numbered from 1 in the order in which the readings of this frame
+ * An image of a {@link SegmentationCamera}. Objects are numbered from 1 in the order in which the readings of this frame
  * meet them, ray by ray, and keep their numbers from one reading to the next.
  */
 public final class SegmentationFrame extends RayFrame {
@@ -24,12 +24,6 @@ public final class SegmentationFrame extends RayFrame {
     /** An empty frame. */
     public SegmentationFrame() {}
 
-    @Override
-    boolean needs(SenseBuffer.Extra extra) {
-        return extra != SenseBuffer.Extra.NORMALS;
-    }
-
-    @Override
     @SuppressWarnings("ReferenceEquality") // each object of a world is one instance
     void finish() {
         int count = rays().size();
@@ -65,6 +59,11 @@ public final class SegmentationFrame extends RayFrame {
             numbers.put(object, number);
         }
         return number;
+    }
+
+    /** The object that a ray met; null for none. See {@link robosim.geometry.SenseBuffer#object}. */
+    public @Nullable GeometryObject object(int ray) {
+        return metBy(ray);
     }
 
     /** Which part of a group a ray met. See {@link robosim.geometry.SenseBuffer#part}. */

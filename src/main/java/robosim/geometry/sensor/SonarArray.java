@@ -1,5 +1,6 @@
 package robosim.geometry.sensor;
 
+import robosim.geometry.SenseBuffer;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -13,7 +14,7 @@ import robosim.geometry.model.SenseOptions;
  * ring.pattern().size(); // 16
  * }</pre>
  */
-public final class SonarArray extends RaySensor<SonarArray, RayFrame> {
+public final class SonarArray extends RaySensor<SonarArray, SonarFrame> {
     private SonarArray(Setup setup) {
         super(setup);
     }
@@ -40,5 +41,10 @@ public final class SonarArray extends RaySensor<SonarArray, RayFrame> {
     @Override
     SonarArray with(Setup other) {
         return new SonarArray(other);
+    }
+
+    @Override
+    boolean needs(SenseBuffer.Extra extra, SonarFrame out) {
+        return extra == SenseBuffer.Extra.OBJECTS;
     }
 }

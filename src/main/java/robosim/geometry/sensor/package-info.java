@@ -3,9 +3,10 @@
  *
  * <ul>
  *   <li>{@link Lidar}: rotating or still lasers; reads a {@link LidarFrame}
- *   <li>{@link Camera}: sees depths, normals or objects; reads a {@link DepthFrame}, a {@link NormalFrame} or a {@link
+ *   <li>{@link DepthCamera}: reads a {@link DepthFrame}
+ *   <li>{@link NormalCamera} and {@link SegmentationCamera}: read a {@link NormalFrame} and a {@link
  *       SegmentationFrame}
- *   <li>{@link SonarArray}: cones; reads a {@link RayFrame}
+ *   <li>{@link SonarArray}: reads a {@link SonarFrame}
  *   <li>{@link ProximitySensor} and {@link Bumper}: the distance to what is near, and contacts
  *   <li>{@link RaySensor} and {@link RayFrame}: what sensors of rays and their frames share
  *   <li>{@link Intrinsics}: size and lens of a camera
@@ -30,7 +31,7 @@
  * turn.rows();              // 16
  * turn.range(8 * turn.columns() + turn.columns() / 2) < 4.01; // true: the front of the crate, straight ahead
  *
- * Camera<DepthFrame> camera = Camera.depth(Intrinsics.fieldOfView(320, 240, 87)).withRange(0.3, 10);
+ * DepthCamera camera = DepthCamera.of(Intrinsics.fieldOfView(320, 240, 87)).withRange(0.3, 10);
  * DepthFrame image = new DepthFrame();
  * camera.at(Pose.of(new Point(0, 0, 0), 0)).read(world, image);
  * image.depth(120 * 320 + 160); // 4.0: along the axis

@@ -14,15 +14,14 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
-import robosim.geometry.sensor.Camera;
-import robosim.geometry.sensor.DepthFrame;
+import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.Noise;
-import robosim.geometry.sensor.NormalFrame;
+import robosim.geometry.sensor.NormalCamera;
 import robosim.geometry.sensor.OutOfRange;
 import robosim.geometry.sensor.RaySensor;
-import robosim.geometry.sensor.SegmentationFrame;
+import robosim.geometry.sensor.SegmentationCamera;
 import robosim.geometry.world.sdf.SdfFiles;
 import robosim.geometry.world.sdf.SdfObjects;
 import robosim.geometry.world.sdf.SdfShapes;
@@ -246,21 +245,21 @@ public record SdfSensor(
     }
 
     /** A depth camera. */
-    public Camera<DepthFrame> depthCamera() {
+    public DepthCamera depthCamera() {
         check(Kind.DEPTH);
-        return clipped(Camera.depth(intrinsics()));
+        return clipped(DepthCamera.of(intrinsics()));
     }
 
     /** A camera of objects and labels. */
-    public Camera<SegmentationFrame> segmentationCamera() {
+    public SegmentationCamera segmentationCamera() {
         check(Kind.SEGMENTATION);
-        return clipped(Camera.segmentation(intrinsics()));
+        return clipped(SegmentationCamera.of(intrinsics()));
     }
 
     /** A camera of normals. */
-    public Camera<NormalFrame> normalCamera() {
+    public NormalCamera normalCamera() {
         check(Kind.NORMALS);
-        return clipped(Camera.normals(intrinsics()));
+        return clipped(NormalCamera.of(intrinsics()));
     }
 
     /**

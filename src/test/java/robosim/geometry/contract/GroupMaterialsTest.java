@@ -30,8 +30,8 @@ import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.ColorFrame;
-import robosim.geometry.sensor.Camera;
 import robosim.geometry.sensor.Intrinsics;
+import robosim.geometry.sensor.SegmentationCamera;
 import robosim.geometry.sensor.SegmentationFrame;
 
 /** What the parts of groups are made of, for all that ask: members of the default material are made of the group's. */
@@ -154,7 +154,7 @@ class GroupMaterialsTest {
             single.sense(Pose.ORIGIN, pattern, SenseOptions.range(0, 100), each);
 
             SegmentationFrame labels = new SegmentationFrame();
-            Camera.segmentation(Intrinsics.fieldOfView(24, 18, 50))
+            SegmentationCamera.of(Intrinsics.fieldOfView(24, 18, 50))
                     .on("eye", Pose.ORIGIN)
                     .read(world, labels);
             Session session = new Session();

@@ -26,7 +26,7 @@ class DistortionTest {
         double[] k = camera.distortion().coefficients();
         double seenX;
         double seenY;
-        if (camera.distortion().isFisheye()) {
+        if (camera.distortion().lens() == Intrinsics.Lens.EQUIDISTANT) {
             double aside = Math.hypot(up, right);
             double t = Math.atan2(aside, forward);
             double d = t * (1 + k[0] * t * t + k[1] * Math.pow(t, 4) + k[2] * Math.pow(t, 6) + k[3] * Math.pow(t, 8));
@@ -104,7 +104,7 @@ class DistortionTest {
             ColorFrame colours = new ColorFrame();
             ColorCamera.of(camera).withLighting(dark).render(world, colours);
             DepthFrame depths = new DepthFrame();
-            Camera.depth(camera).read(world, depths);
+            DepthCamera.of(camera).read(world, depths);
             int seen = 0;
             for (int k = 0; k < 64 * 48; k++) {
                 boolean isBall = Double.isFinite(depths.depths()[k]);
@@ -123,7 +123,7 @@ class DistortionTest {
                 .withMessageContaining("distortion must show something in every pixel")
                 .withMessageContaining("column 0");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Distortion(true, 0, 0, 0, 0, 1))
+                .isThrownBy(() -> new Distortion(Intrinsics.Lens.EQUIDISTANT, 0, 0, 0, 0, 1))
                 .withMessageContaining("fifth");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Distortion.fisheye(Double.NaN, 0, 0, 0))

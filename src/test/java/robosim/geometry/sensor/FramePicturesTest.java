@@ -36,7 +36,7 @@ class FramePicturesTest {
     @Test
     void depthsInMillimetres() throws IOException {
         DepthFrame frame = new DepthFrame();
-        Camera.depth(LENS).read(world(3), frame);
+        DepthCamera.of(LENS).read(world(3), frame);
         Path file = folder.resolve("depth.png");
         frame.writePng(1, file);
         BufferedImage image = ImageIO.read(file.toFile());
@@ -56,14 +56,14 @@ class FramePicturesTest {
     @Test
     void labelsInstancesAndNormals() throws IOException {
         SegmentationFrame frame = new SegmentationFrame();
-        Camera.segmentation(LENS).read(world(40_000), frame);
+        SegmentationCamera.of(LENS).read(world(40_000), frame);
         Path file = folder.resolve("a.png");
         frame.writeLabels(file);
         BufferedImage labels = ImageIO.read(file.toFile());
         frame.writeInstances(file);
         BufferedImage instances = ImageIO.read(file.toFile());
         NormalFrame normals = new NormalFrame();
-        Camera.normals(LENS).read(world(1), normals);
+        NormalCamera.of(LENS).read(world(1), normals);
         normals.writePng(file);
         BufferedImage colours = ImageIO.read(file.toFile());
         for (int k = 0; k < frame.size(); k++) {
@@ -86,7 +86,7 @@ class FramePicturesTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("the frame must have been read");
         SegmentationFrame frame = new SegmentationFrame();
-        Camera.segmentation(LENS).read(world(65_536), frame);
+        SegmentationCamera.of(LENS).read(world(65_536), frame);
         assertThatThrownBy(() -> frame.writeLabels(file))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("labels must be from 0 to 65535 for 16 bits (got: 65536)");

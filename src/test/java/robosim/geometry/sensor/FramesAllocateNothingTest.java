@@ -68,7 +68,7 @@ class FramesAllocateNothingTest {
         Lidar lidar = Lidar.hokuyoUtm30lx().on("robot", MAST);
         Lidar rings = Lidar.velodyneVlp16(20).on("robot", MAST);
         LidarFrame turn = new LidarFrame();
-        LidarFrame all = new LidarFrame().withIntensities().withObjects();
+        LidarFrame all = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
         allocatesNothing("laser", k -> lidar.read(world, turn));
         allocatesNothing("laser in a snapshot", k -> lidar.read(snapshot, turn));
         allocatesNothing("intensities", k -> lidar.read(world, all));
@@ -83,21 +83,21 @@ class FramesAllocateNothingTest {
             all.addInWorldTo(cloud);
         });
         Intrinsics lens = Intrinsics.fieldOfView(80, 60, 87);
-        Camera<DepthFrame> depth = Camera.depth(lens).on("robot", MAST);
+        DepthCamera depth = DepthCamera.of(lens).on("robot", MAST);
         DepthFrame depths = new DepthFrame();
         short[] millimetres = new short[80 * 60];
         allocatesNothing("depth", k -> {
             depth.read(world, depths);
             depths.millimetres(1, millimetres);
         });
-        Camera<NormalFrame> normal = Camera.normals(lens).on("robot", MAST);
+        NormalCamera normal = NormalCamera.of(lens).on("robot", MAST);
         NormalFrame normals = new NormalFrame();
         allocatesNothing("normals", k -> normal.read(world, normals));
-        Camera<SegmentationFrame> segmentation = Camera.segmentation(lens).on("robot", MAST);
+        SegmentationCamera segmentation = SegmentationCamera.of(lens).on("robot", MAST);
         SegmentationFrame segments = new SegmentationFrame();
         allocatesNothing("segments", k -> segmentation.read(world, segments));
         SonarArray sonars = SonarArray.ring(16, 15, 0, 10).on("robot", MAST);
-        RayFrame echoes = new RayFrame();
+        SonarFrame echoes = new SonarFrame();
         allocatesNothing("sonars", k -> sonars.read(world, echoes));
     }
 

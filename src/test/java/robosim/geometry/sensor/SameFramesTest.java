@@ -110,7 +110,7 @@ class SameFramesTest {
         Snapshot world = world();
         Pose mount = Pose.of(new Point(0.1, 0.4, 0), 85);
         Intrinsics lens = Intrinsics.fieldOfView(64, 48, 80);
-        LidarFrame turn = new LidarFrame().withIntensities().withObjects();
+        LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
         DepthFrame depth = new DepthFrame();
         NormalFrame normals = new NormalFrame();
         SegmentationFrame labels = new SegmentationFrame();
@@ -123,7 +123,7 @@ class SameFramesTest {
                     .read(world, frame, turn);
             add(turn.ranges());
             add(turn.intensities());
-            Camera.depth(lens)
+            DepthCamera.of(lens)
                     .withRange(0.1, 20)
                     .on("robot", mount)
                     .withNoise(NOISE.and(Noise.mixedPixels(0.3, 0.5)), 42, 2)
@@ -132,8 +132,8 @@ class SameFramesTest {
             add(depth.ranges());
             add(depth.depths());
         }
-        Camera.normals(lens).on("robot", mount).withThreads(threads).read(world, normals);
-        Camera.segmentation(lens).on("robot", mount).withThreads(threads).read(world, labels);
+        NormalCamera.of(lens).on("robot", mount).withThreads(threads).read(world, normals);
+        SegmentationCamera.of(lens).on("robot", mount).withThreads(threads).read(world, labels);
         for (int k = 0; k < labels.size(); k++) {
             add(normals.normalX(k), normals.normalY(k), normals.normalZ(k));
             add(labels.label(k));

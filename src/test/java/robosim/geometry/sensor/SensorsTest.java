@@ -135,20 +135,19 @@ class SensorsTest {
                 RayPattern.layers(new double[] {-20, -3, 0, 9}, 180, -1, 360).withDuration(0.1);
         Lidar lidar = Lidar.of(rings, SenseOptions.range(0.7, 11));
         readsSingles(dimension, lidar, new LidarFrame());
-        readsSingles(dimension, lidar, new LidarFrame().withIntensities().withObjects());
+        readsSingles(dimension, lidar, new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS));
         Intrinsics lens = new Intrinsics(48, 36, 30, 33, 20, 17);
-        readsSingles(dimension, Camera.depth(lens).withRange(0.5, 20), new DepthFrame());
-        readsSingles(dimension, Camera.normals(lens), new NormalFrame());
-        readsSingles(dimension, Camera.segmentation(lens), new SegmentationFrame());
-        readsSingles(dimension, SonarArray.ring(24, 12, 0.1, 6), new RayFrame());
-        readsSingles(dimension, SonarArray.ring(24, 0, 0.1, 6), new RayFrame());
+        readsSingles(dimension, DepthCamera.of(lens).withRange(0.5, 20), new DepthFrame());
+        readsSingles(dimension, NormalCamera.of(lens), new NormalFrame());
+        readsSingles(dimension, SegmentationCamera.of(lens), new SegmentationFrame());
+        readsSingles(dimension, SonarArray.ring(24, 12, 0.1, 6), new SonarFrame());
+        readsSingles(dimension, SonarArray.ring(24, 0, 0.1, 6), new SonarFrame());
     }
 
     @Test
     void depthsAreRangesAlongTheAxis() {
         Geometry world = world(Dimension.SPATIAL);
-        Camera<DepthFrame> camera =
-                Camera.depth(Intrinsics.fieldOfView(64, 48, 80)).on("robot", MOUNT);
+        DepthCamera camera = DepthCamera.of(Intrinsics.fieldOfView(64, 48, 80)).on("robot", MOUNT);
         DepthFrame image = new DepthFrame();
         camera.read(world, image);
         double[] truth = singles(world, camera.pattern(), camera.options());
@@ -177,7 +176,7 @@ class SensorsTest {
         Geometry world = new Geometry(40, 40, 40);
         world.addObject(new BoxObject(new Point(6, 0, 0), 2, 30, 30));
         DepthFrame image = new DepthFrame();
-        Camera.depth(new Intrinsics(31, 21, 20, 25, 11, 5)).read(world, image);
+        DepthCamera.of(new Intrinsics(31, 21, 20, 25, 11, 5)).read(world, image);
         for (int k = 0; k < image.size(); k++) {
             assertThat(image.depth(k)).isCloseTo(5, ROUNDING);
         }
@@ -190,7 +189,7 @@ class SensorsTest {
         Geometry world = new Geometry(20, 4, 20, dimension, Accuracy.EXACT);
         world.addObject(new BoxObject(new Point(6, 0, 0), 2, 3, 18));
         DepthFrame image = new DepthFrame();
-        Camera<DepthFrame> camera = Camera.depth(Intrinsics.fieldOfView(64, 48, 80));
+        DepthCamera camera = DepthCamera.of(Intrinsics.fieldOfView(64, 48, 80));
         camera.read(world, image);
         double[] point = new double[3];
         int wall = 0;
@@ -220,7 +219,7 @@ class SensorsTest {
         world.addObject(new BoxObject(new Point(0, 0, 15), 2, 3, 2)); // beyond the range
         Lidar lidar = Lidar.ousterOs1With64(10).withRange(0.8, 12).withOutOfRange(reported);
         assertThat(lidar.outOfRange()).isEqualTo(reported);
-        LidarFrame turn = new LidarFrame().withIntensities();
+        LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES);
         Lidar.of(lidar.pattern(), SenseOptions.range(0, 12)).read(world, turn);
         double[] truth = ranges(turn);
         lidar.read(world, turn);
@@ -246,7 +245,7 @@ class SensorsTest {
         assertThat(points).isBetween(1000, turn.size() - near - 1000);
         assertThat(cloud.size()).isEqualTo(points);
         DepthFrame image = new DepthFrame();
-        Camera.depth(Intrinsics.fieldOfView(9, 7, 60))
+        DepthCamera.of(Intrinsics.fieldOfView(9, 7, 60))
                 .withRange(0.5, 10)
                 .withOutOfRange(reported)
                 .read(world, image);
@@ -301,11 +300,11 @@ class SensorsTest {
         Pose pose = Pose.of(new Point(0, 0, 0.5), 20).turned(0, 15);
         Intrinsics lens = Intrinsics.fieldOfView(60, 40, 100);
         Geometry seen = Heights.of(world);
-        Camera<NormalFrame> camera = Camera.normals(lens).at(pose);
+        NormalCamera camera = NormalCamera.of(lens).at(pose);
         NormalFrame normals = new NormalFrame();
         camera.read(world, normals);
         SegmentationFrame objects = new SegmentationFrame();
-        Camera.segmentation(lens).at(pose).read(world, objects);
+        SegmentationCamera.of(lens).at(pose).read(world, objects);
         double[] own = new double[3];
         int hits = 0;
         for (int k = 0; k < normals.size(); k++) {
@@ -344,7 +343,7 @@ class SensorsTest {
     void instancesKeepTheirNumbers() {
         Geometry world = world(Dimension.SPATIAL);
         SegmentationFrame image = new SegmentationFrame();
-        Camera<SegmentationFrame> camera = Camera.segmentation(Intrinsics.fieldOfView(40, 30, 90));
+        SegmentationCamera camera = SegmentationCamera.of(Intrinsics.fieldOfView(40, 30, 90));
         camera.read(world, image);
         List<GeometryObject> before = new ArrayList<>();
         for (int k = 1; k <= image.known(); k++) {
@@ -364,7 +363,7 @@ class SensorsTest {
     void intensitiesAreReflectanceTimesTheCosineOfIncidence(Dimension dimension) {
         Geometry world = world(dimension);
         Lidar lidar = Lidar.velodyneVlp16(20).withRange(0, 9).at(Pose.of(new Point(0, 0.5, 0), 10));
-        LidarFrame turn = new LidarFrame().withIntensities().withObjects();
+        LidarFrame turn = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
         lidar.read(world, turn);
         Geometry seen = Heights.of(world);
         RayPattern pattern = lidar.pattern();
@@ -438,10 +437,10 @@ class SensorsTest {
         Lidar lidar = Lidar.velodyneVlp16(20)
                 .withRange(0, 15)
                 .on("robot", MOUNT.turned(dimension == Dimension.PLANAR ? 0 : 25, 0));
-        LidarFrame moving = new LidarFrame().withIntensities();
+        LidarFrame moving = new LidarFrame(LidarFrame.Extra.INTENSITIES);
         Lidar driven = lidar.withMotion(twist);
         driven.read(world, moving);
-        LidarFrame still = new LidarFrame().withIntensities();
+        LidarFrame still = new LidarFrame(LidarFrame.Extra.INTENSITIES);
         lidar.read(world, still);
         assertThat(ranges(moving)).isNotEqualTo(ranges(still));
         assertThat(driven.withoutMotion()).isEqualTo(lidar);
@@ -543,7 +542,7 @@ class SensorsTest {
         refused("out must be given (got: null)", () -> lidar.read(world, null));
         lidar.read(world, frame);
         refused("ray must be from 0 to ", () -> frame.range(frame.size()));
-        refused("made for intensities", () -> frame.intensity(0));
+        refused("made for INTENSITIES", () -> frame.intensity(0));
         refused("hertz must be from 5 to 20 (got: NaN)", () -> Lidar.velodyneVlp16(Double.NaN));
         refused("hertz must be from 10 to 20 (got: 21.0)", () -> Lidar.ousterOs1With128(21));
         refused("name must be", () -> lidar.on("nobody", MOUNT).read(world, frame));
@@ -560,7 +559,7 @@ class SensorsTest {
         refused("horizontalFieldOfViewDegrees must be", () -> Intrinsics.fieldOfView(3, 3, 180));
         PointCloud cloud = new PointCloud(PointCloud.Field.INTENSITY);
         lidar.read(world, frame);
-        refused("made for intensities", () -> frame.addTo(cloud));
+        refused("made for INTENSITIES", () -> frame.addTo(cloud));
         refused("all three components of the normal", () -> new PointCloud(PointCloud.Field.NORMAL_X));
     }
 
@@ -574,7 +573,7 @@ class SensorsTest {
     @Test
     void oneFrameForWideAndNarrowBeams() {
         Geometry world = world(Dimension.SPATIAL);
-        RayFrame frame = new RayFrame();
+        SonarFrame frame = new SonarFrame();
         SonarArray rays = SonarArray.ring(8, 0, 0, 9).on("robot", MOUNT);
         SonarArray cones = SonarArray.ring(8, 20, 0, 9).on("robot", MOUNT);
         double[] truth = singles(world, cones.pattern(), cones.options());

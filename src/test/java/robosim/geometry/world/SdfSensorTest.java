@@ -21,7 +21,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
-import robosim.geometry.sensor.Camera;
+import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
@@ -144,7 +144,7 @@ public class SdfSensorTest {
         assertThat(middle).isCloseTo(4.75, within(1e-3)); // the wall's near face is at 5.75
         assertThat(all.get(1).kind()).isEqualTo(SdfSensor.Kind.OTHER);
 
-        Camera<DepthFrame> eye = all.get(2).depthCamera();
+        DepthCamera eye = all.get(2).depthCamera();
         assertThat(eye.intrinsics()).isEqualTo(Intrinsics.fieldOfView(40, 30, 90));
         assertThat(eye.options()).isEqualTo(SenseOptions.range(0.2, 8));
         assertThat(all.get(2).noise()).isEqualTo(Noise.gaussian(0, 0.007).and(Noise.bias(0.5, 0)));

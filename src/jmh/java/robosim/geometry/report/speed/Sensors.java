@@ -16,7 +16,7 @@ import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 import robosim.geometry.render.ColorCamera;
 import robosim.geometry.render.ColorFrame;
-import robosim.geometry.sensor.Camera;
+import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
@@ -75,7 +75,7 @@ final class Sensors implements Study {
         List<Pose> poses = scene.poses;
         Subject module = Subject.module(Accuracy.EXACT, Dimension.SPATIAL);
         addBare(tasks, scene, DEPTH, SensorScene.camera());
-        Camera<DepthFrame> depth = Camera.depth(
+        DepthCamera depth = DepthCamera.of(
                         Intrinsics.fieldOfView(SensorScene.WIDTH, SensorScene.HEIGHT, SensorScene.DEGREES))
                 .withRange(0, SensorScene.RANGE);
         DepthFrame image = new DepthFrame();

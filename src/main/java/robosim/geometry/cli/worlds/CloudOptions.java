@@ -110,7 +110,7 @@ public final class CloudOptions {
         lidar = lidar.withRange(lidar.options().min() / metres, lidar.options().max() / metres)
                 .withThreads(Runtime.getRuntime().availableProcessors());
         PointCloud cloud = new PointCloud(PointCloud.Field.INTENSITY);
-        LidarFrame frame = new LidarFrame().withIntensities();
+        LidarFrame frame = new LidarFrame(LidarFrame.Extra.INTENSITIES);
         List<String> all = new ArrayList<>(places);
         if (all.isEmpty()) {
             studio.carriers().forEach(name -> all.add(CameraOptions.ROBOT + name));

@@ -4,12 +4,14 @@ import java.util.Arrays;
 import robosim.geometry.Snapshot;
 import robosim.geometry.material.Color;
 import robosim.geometry.render.ColorCamera;
-import robosim.geometry.sensor.Camera;
+import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
+import robosim.geometry.sensor.NormalCamera;
 import robosim.geometry.sensor.NormalFrame;
 import robosim.geometry.sensor.RayFrame;
 import robosim.geometry.sensor.RaySensor;
+import robosim.geometry.sensor.SegmentationCamera;
 import robosim.geometry.sensor.SegmentationFrame;
 
 /** What a picture shows of a world, and how a sensor's numbers become colours for people. */
@@ -48,17 +50,17 @@ enum PictureStyle {
         int[] fine = switch (this) {
             case DEPTH -> {
                 DepthFrame frame = new DepthFrame();
-                read(Camera.depth(intrinsics), frame, camera, world);
+                read(DepthCamera.of(intrinsics), frame, camera, world);
                 yield depths(frame.depths());
             }
             case NORMALS -> {
                 NormalFrame frame = new NormalFrame();
-                read(Camera.normals(intrinsics), frame, camera, world);
+                read(NormalCamera.of(intrinsics), frame, camera, world);
                 yield normals(frame);
             }
             case OBJECTS, LABELS -> {
                 SegmentationFrame frame = new SegmentationFrame();
-                read(Camera.segmentation(intrinsics), frame, camera, world);
+                read(SegmentationCamera.of(intrinsics), frame, camera, world);
                 yield this == OBJECTS ? objects(frame, studio) : labels(frame);
             }
             case COLOUR, POINTS -> throw new IllegalStateException("no sensor of a camera (got: " + this + ")");

@@ -27,7 +27,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.sensor.Camera;
+import robosim.geometry.sensor.DepthCamera;
 import robosim.geometry.sensor.DepthFrame;
 import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
@@ -181,7 +181,7 @@ public final class ScanCommand implements Callable<Integer> {
                             lidar.options().min() / metres, lidar.options().max() / metres);
                     what = scan(snapshot, noisy(lidar, its), name, progress);
                 } else {
-                    what = scan(snapshot, noisy(placed(read, Camera.depth(pixels)), its), name, progress);
+                    what = scan(snapshot, noisy(placed(read, DepthCamera.of(pixels)), its), name, progress);
                 }
             } else {
                 what = scan(read, snapshot, described, name, progress);
@@ -238,7 +238,7 @@ public final class ScanCommand implements Callable<Integer> {
     }
 
     private String scan(Snapshot snapshot, Lidar lidar, String name, Progress progress) throws IOException {
-        LidarFrame frame = new LidarFrame().withIntensities().withObjects();
+        LidarFrame frame = new LidarFrame(LidarFrame.Extra.INTENSITIES, LidarFrame.Extra.OBJECTS);
         read(lidar.withThreads(threads()), snapshot, frame, progress);
         return write(
                 frame,
@@ -253,8 +253,7 @@ public final class ScanCommand implements Callable<Integer> {
                         PointCloud.Field.LABEL));
     }
 
-    private String scan(Snapshot snapshot, Camera<DepthFrame> camera, String name, Progress progress)
-            throws IOException {
+    private String scan(Snapshot snapshot, DepthCamera camera, String name, Progress progress) throws IOException {
         DepthFrame frame = new DepthFrame();
         read(camera.withThreads(threads()), snapshot, frame, progress);
         return write(frame, camera.pattern(), frame.depths(), "depths", name, new PointCloud());
