@@ -229,6 +229,9 @@ def load(connection, world):
         number = re.search(r"/objects/(\d+)", str(refused))
         place = f"{world.places[int(number.group(1))]}: " if number else ""
         raise NotDone(f"{place}the module refused it: {refused}") from None
+    for request, answer in zip(world.attached, connection.batch(world.attached) if world.attached else []):
+        if isinstance(answer, RequestError) or not answer:
+            raise NotDone(f"the module did not attach {request['objectName']} to {request['carrier']}: {answer}")
 
 
 def is_for_the_module(path):

@@ -13,7 +13,7 @@ import pathlib
 import re
 import xml.parsers.expat as expat
 
-from robosim import NotDone, drive_settings, swerve
+from robosim import NotDone, attach, drive_settings, swerve
 
 SPACE = "urn:robosim:world:1"
 SCHEMA_HINTS = "http://www.w3.org/2001/XMLSchema-instance "
@@ -24,7 +24,7 @@ SIZES = {"box": ["width", "height", "length"], "cylinder": ["radius", "height"],
 SHAPES = ["box", "cylinder", "sphere", "capsule", "mesh", "group"]
 MOST_CELLS = 1 << 24
 LOOKS = ["color", "diffuse", "specular", "shininess", "mirror", "emission", "reflectance", "label"]
-PLACED = ["name", "moveable", "center", "heading", "turned", "rotation", "material"]
+PLACED = ["name", "moveable", "attached", "layers", "center", "heading", "turned", "rotation", "material"]
 
 # Of each element: the attributes that it needs, those that it may have, and what may stand in it.
 GRAMMAR = {
@@ -38,7 +38,7 @@ GRAMMAR = {
     "cylinder": (SIZES["cylinder"], PLACED, []),
     "sphere": (SIZES["sphere"], PLACED, []),
     "capsule": (SIZES["capsule"], PLACED, []),
-    "grid": (SIZES["grid"] + ["columns", "rows"], ["name", "center", "heading", "rotation", "material"], []),
+    "grid": (SIZES["grid"] + ["columns", "rows"], ["name", "layers", "center", "heading", "rotation", "material"], []),
     "mesh": ([], PLACED + ["solid", "file", "scale"], ["bounds", "vertices", "triangles", "quads"]),
     "group": ([], PLACED, ["bounds"] + SHAPES),
     "bounds": ([], [], ["box", "cylinder", "sphere"]),
@@ -193,6 +193,8 @@ class World:
                          if word in root.attributes}
         #: What robosim.Module.step takes as bodies.
         self.bodies = []
+        #: Requests for robosim.Module.batch, by which objects are attached to others.
+        self.attached = []
         #: What was left out: its name, "" for none, and why.
         self.notes = []
         self.unit = root.attributes.get("unit", "").strip() or None
@@ -217,6 +219,10 @@ class World:
             name = made.get("name")
             if name is not None and names.setdefault(name, element) is not element:
                 raise element.fault(f"names must be unique in a world; {names[name].place} has this one too (got: {name})")
+            if "attached" in element.attributes:
+                if not made.get("moveable"):
+                    raise element.fault(f"<{element.tag}> must be moveable to be attached")
+                self.attached.append(attach(name, element.attributes["attached"]))
             rings = element.named("sonar")
             if rings and name is None:
                 raise element.fault(f"<{element.tag}> with a sonar needs a name")
@@ -226,7 +232,8 @@ class World:
                 self.bodies.append(self.body(body, name, bool(made.get("moveable"))))
             # What lies on its side has no level sensors, and stays.
             sensors = [self.ring(ring) for ring in rings]
-            if made.get("moveable") and made.get("rotation", [0, 0, 0, 0, 1])[4] == 1:
+            is_robot = made.get("moveable") and "attached" not in element.attributes
+            if is_robot and made.get("rotation", [0, 0, 0, 0, 1])[4] == 1:
                 self.robots.append((made, sensors))
 
     def check_border(self, element, made):
@@ -251,6 +258,8 @@ class World:
             made["name"] = element.attributes["name"]
             if not made["name"].strip():
                 raise element.fault(f"name of <{kind}> must not be blank")
+        if "layers" in element.attributes:
+            made["layers"] = element.attributes["layers"].split()
         if element.flag("moveable"):
             made["moveable"] = True
             if "name" not in made:

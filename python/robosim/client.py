@@ -718,7 +718,7 @@ def separate(name: str, max: float) -> Json:
 def attach(name: str, carrier: str, at: Optional[Vector] = None, heading: float = 0.0,
            rotation: Optional[Vector] = None) -> Json:
     """Attaches an object to another one, which carries it from then on: where it is now, or at a place in the frame of the
-    carrier if nothing else is there."""
+    carrier, with a heading in radians or nine numbers of a rotation, if nothing else is there."""
     request: Json = {"kind": "attach", "objectName": name, "carrier": carrier}
     if at is not None:
         request["mount"] = _mount(at, heading, rotation)

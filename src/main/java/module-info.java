@@ -20,6 +20,7 @@ module robosim.geometry {
     exports robosim.geometry.net;
     exports robosim.geometry.proof;
     exports robosim.geometry.protocol;
+    exports robosim.geometry.protocol.motion;
     exports robosim.geometry.render;
     exports robosim.geometry.scenario;
     exports robosim.geometry.sensor;

@@ -329,7 +329,7 @@ class PythonEnvironmentTest {
                         ":2: <sphere> must have one <body> at most, and a name with it"),
                 Arguments.of(
                         "<sphere name='b' moveable='true' radius='1'><body><drive kind='jet'/></body></sphere>",
-                        ":2: a drive must be one of DIFFERENTIAL, OMNIDIRECTIONAL, ACKERMANN, VELOCITY, FORCE"),
+                        ":2: a drive must be one of DIFFERENTIAL, OMNIDIRECTIONAL, ACKERMANN, SWERVE, VELOCITY, FORCE"),
                 Arguments.of("<group/>", ":2: <group> must have a member"),
                 Arguments.of("<mesh file='../up.obj'/>", ":2: file must lead to a file under the folder of the world"),
                 Arguments.of("<mesh file='no.obj'/>", "no.obj cannot be read (No such file or directory)"),

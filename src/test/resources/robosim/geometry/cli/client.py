@@ -199,7 +199,7 @@ def sensors(module):
     drives = [0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 3, 0, 0, 0, 2]
     same([part == 1 for part in module.drive_fractions("robot", drives)], [True, False])
     refused(lambda: module.clearances("robot", [0, 0, 0, 0], ignored=["nobody"]),
-            'name must be that of an object in the world (got: "nobody")')
+            'ignored must name an object or a layer in the world (got: "nobody")')
     refused(lambda: module.scan("nobody"), 'no moveable object "nobody"')
 
 

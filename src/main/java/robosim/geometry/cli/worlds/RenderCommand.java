@@ -1,6 +1,5 @@
 package robosim.geometry.cli.worlds;
 
-import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -229,7 +228,7 @@ public final class RenderCommand implements Callable<Integer> {
                 writeFilm(frames.length, k -> {
                     progress.at(k + 1L);
                     if (camera == null) {
-                        return Picture.of(Painter.image(plan(film, frames[k], unit), theme()));
+                        return Painter.pixels(plan(film, frames[k], unit), theme());
                     }
                     camera.look(moment(film, frames[k]));
                     return camera.shoot(k * camera.pictures.size() / frames.length, metres, percent -> {});
@@ -272,34 +271,25 @@ public final class RenderCommand implements Callable<Integer> {
         return scene.titled(title()).described(scene.subtitle(), unit);
     }
 
-    /** A picture of a film: its pixels, row by row. */
-    private record Picture(int wide, int high, int[] pixels) {
-        static Picture of(BufferedImage image) {
-            int wide = image.getWidth();
-            int high = image.getHeight();
-            return new Picture(wide, high, image.getRGB(0, 0, wide, high, null, 0, wide));
-        }
-    }
-
     /** Takes or draws a picture of a film. */
     @FunctionalInterface
     private interface Shooting {
-        Picture take(int k) throws IOException;
+        Painter.Pixels take(int k) throws IOException;
     }
 
     private void writeFilm(int count, Shooting shooting) throws IOException {
-        Picture first = shooting.take(0);
+        Painter.Pixels first = shooting.take(0);
         AtomicFileWriter.write(output, out -> {
-            GifWriter film = new GifWriter(out, first.wide(), first.high(), SECONDS);
-            film.add(first.pixels());
+            GifWriter film = new GifWriter(out, first.width(), first.height(), SECONDS);
+            film.add(first.rgb());
             for (int k = 1; k < count; k++) {
-                Picture next = shooting.take(k);
-                if (next.wide() != first.wide() || next.high() != first.high()) {
+                Painter.Pixels next = shooting.take(k);
+                if (next.width() != first.width() || next.height() != first.height()) {
                     throw new UsageException(
                             "--steps must be within one world for the film of a plan; the recording begins"
                                     + " another before picture " + (k + 1) + " (got: " + output + ")");
                 }
-                film.add(next.pixels());
+                film.add(next.rgb());
             }
             film.end();
         });
@@ -368,8 +358,8 @@ public final class RenderCommand implements Callable<Integer> {
             AtomicFileWriter.write(file, out -> PngWriter.writeColour(out, cameras.width(), cameras.height(), taken));
         }
 
-        Picture shoot(int picture, double metres, IntConsumer percent) {
-            return new Picture(cameras.width(), cameras.height(), take(picture, metres, percent));
+        Painter.Pixels shoot(int picture, double metres, IntConsumer percent) {
+            return new Painter.Pixels(cameras.width(), cameras.height(), take(picture, metres, percent));
         }
 
         int[] take(int picture, double metres, IntConsumer percent) {

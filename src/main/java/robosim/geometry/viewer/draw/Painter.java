@@ -61,6 +61,17 @@ public final class Painter {
         return ImageCanvas.image(frame.width, frame.height, theme, canvas -> new Painter(scene, frame, canvas).paint());
     }
 
+    /** The pixels of a drawing, row by row from the top, {@code 0xRRGGBB}. */
+    public record Pixels(int width, int height, int[] rgb) {}
+
+    /** The scene as pixels, for a film. */
+    public static Pixels pixels(Scene scene, Theme theme) {
+        BufferedImage image = image(scene, theme);
+        int width = image.getWidth();
+        int height = image.getHeight();
+        return new Pixels(width, height, image.getRGB(0, 0, width, height, null, 0, width));
+    }
+
     /**
      * Writes the scene to a file, {@code .svg} or {@code .png} by its ending; atomically.
      *
