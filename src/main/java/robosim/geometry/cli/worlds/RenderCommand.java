@@ -280,16 +280,16 @@ public final class RenderCommand implements Callable<Integer> {
     private void writeFilm(int count, Shooting shooting) throws IOException {
         Painter.Pixels first = shooting.take(0);
         AtomicFileWriter.write(output, out -> {
-            GifWriter film = new GifWriter(out, first.width(), first.height(), SECONDS);
-            film.add(first.rgb());
+            GifWriter film = new GifWriter(out, first.width, first.height, SECONDS);
+            film.add(first.rgb);
             for (int k = 1; k < count; k++) {
                 Painter.Pixels next = shooting.take(k);
-                if (next.width() != first.width() || next.height() != first.height()) {
+                if (next.width != first.width || next.height != first.height) {
                     throw new UsageException(
                             "--steps must be within one world for the film of a plan; the recording begins"
                                     + " another before picture " + (k + 1) + " (got: " + output + ")");
                 }
-                film.add(next.rgb());
+                film.add(next.rgb);
             }
             film.end();
         });

@@ -62,7 +62,17 @@ public final class Painter {
     }
 
     /** The pixels of a drawing, row by row from the top, {@code 0xRRGGBB}. */
-    public record Pixels(int width, int height, int[] rgb) {}
+    public static final class Pixels {
+        public final int width;
+        public final int height;
+        public final int[] rgb;
+
+        public Pixels(int width, int height, int[] rgb) {
+            this.width = width;
+            this.height = height;
+            this.rgb = rgb;
+        }
+    }
 
     /** The scene as pixels, for a film. */
     public static Pixels pixels(Scene scene, Theme theme) {
