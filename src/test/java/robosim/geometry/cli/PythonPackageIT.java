@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -46,6 +47,7 @@ class PythonPackageIT {
 
     /** All blocks of Python on the page as one program; each comment after a print is what it prints. */
     @Test
+    @Tag("sources")
     void theGuideSaysWhatHappens(@TempDir Path folder) throws Exception {
         List<String> program = new ArrayList<>();
         List<String> expected = new ArrayList<>();
@@ -79,6 +81,7 @@ class PythonPackageIT {
 
     /** The page's programs, by the names in their first lines, and then its commands, in order. */
     @Test
+    @Tag("sources")
     void theTutorialDoesWhatItSays(@TempDir Path folder) throws Exception {
         List<String> commands = new ArrayList<>();
         List<String> printed = new ArrayList<>();
@@ -108,6 +111,7 @@ class PythonPackageIT {
 
     /** The test of a robot on the page is that of the example project. */
     @Test
+    @Tag("sources")
     void theTutorialsTestIsTheExamples() throws Exception {
         String example = Files.readString(Path.of("examples/scenario-tests/src/test/java/example/FollowTest.java"));
         String shown = Pages.blocks(TUTORIAL).stream()
