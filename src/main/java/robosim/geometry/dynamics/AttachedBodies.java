@@ -71,7 +71,7 @@ final class AttachedBodies {
         return true;
     }
 
-    /** Forgets what is attached, until it is asked for again. */
+    /** Forgets what is attached, until the next {@link #assemble}. */
     void disband() {
         if (hasParts || !engine.registry.attachments.isEmpty()) {
             part();

@@ -31,7 +31,7 @@ import robosim.geometry.model.Twist;
  *                    that of a solid of the object's shape which has {@code inertia} about the own Y
  * @param inertiaZ    the same about the own Z
  * @param drag        quadratic drag, kg/m: a speed v meets a force of {@code drag * v * v}, as in the air; for a ball of radius r
- *                    in air {@code 0.5 * 1.2 * 0.47 * pi * r * r}. What is driven on the ground has none. Linear drag is
+ *                    in air {@code 0.5 * 1.2 * 0.47 * pi * r * r}. It does not act on what is driven on the ground. Linear drag is
  *                    {@code damping}: a force of {@code mass * damping * v}
  * @param rolling     rolling resistance, a share of the load: in a SPATIAL world a torque of {@code rolling} times load times the
  *                    distance of the contact from the centre acts against rolling. In a PLANAR world, where nothing rolls, it adds to

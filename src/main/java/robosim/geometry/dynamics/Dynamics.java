@@ -79,7 +79,7 @@ public final class Dynamics {
     private final Geometry world;
     private final Map<String, BodyState> bodies = new LinkedHashMap<>();
 
-    /** Which of them are parts of others. */
+    /** Joins the bodies of objects that are attached to each other. */
     private final AttachedBodies attached;
 
     private final World engine;
@@ -606,7 +606,7 @@ public final class Dynamics {
         double[] places = objects.places();
         for (int b = 0; b < order.size(); b++) {
             BodyState each = order.get(b);
-            if (each.begin(places, objects.place(stepper.id(b)) + ObjectTable.HEADING, seconds)) {
+            if (begin(b, places, seconds)) {
                 isMoving = true;
                 turning = Math.max(turning, stepper.isRound(b) ? 0 : each.turning());
             }
@@ -617,6 +617,15 @@ public final class Dynamics {
         return (int) Math.ceil(Math.min(MOST_SLICES, Math.max(parts, turns)));
     }
 
+    /** Finds how a body is to go on; whether it moves. */
+    private boolean begin(int b, double[] places, double seconds) {
+        BodyState each = order.get(b);
+        if (each.drive instanceof SwerveDrive) {
+            betweenParts.run(); // its wheels may take a while
+        }
+        return each.begin(places, objects.place(stepper.id(b)) + ObjectTable.HEADING, seconds);
+    }
+
     /** Lets all go on for a part of a step, in which drives, damping and floors act once. */
     private void run(double seconds) {
         double[] places = objects.places();
@@ -624,7 +633,7 @@ public final class Dynamics {
             BodyState each = order.get(b);
             boolean isSlowed = each.isSlowed();
             each.steer(seconds);
-            each.begin(places, objects.place(stepper.id(b)) + ObjectTable.HEADING, seconds);
+            begin(b, places, seconds);
             stepper.setVelocity(b, each.goesX, each.goesZ, each.turns);
             stepper.setDriven(b, each.drive != null);
             stepper.setSlowing(b, isSlowed ? each.acting.slowing() : 0, isSlowed ? each.acting.spinSlowing() : 0);

@@ -131,6 +131,9 @@ final class SpatialBodies {
         if (drive == null) {
             return false;
         }
+        if (drive instanceof SwerveDrive) {
+            betweenParts.run(); // its wheels may take a while
+        }
         velocity[0] = aim.forward;
         velocity[1] = 0;
         velocity[2] = aim.right;

@@ -191,7 +191,7 @@ public record SwerveDrive(List<Module> modules, @Nullable Motor motor, double gr
         /** The forces of motors are worked out anew after so many seconds at most, a hundredth of the time in which robots speed up. */
         private static final double PART = 1.0 / 512;
 
-        private static final int MOST_PARTS = 1 << 12;
+        private static final int MOST_PARTS = 1 << 8;
         private static final int MOST_ROUNDS = 200;
 
         /** Changes of the velocity by less no longer count, m/s. */
@@ -213,7 +213,7 @@ public record SwerveDrive(List<Module> modules, @Nullable Motor motor, double gr
         private final double[] right;
         private final double[] given;
 
-        /** By wheel: whether it gives all that friction allows, so that its motor turns it as it is told to. */
+        /** By wheel: whether it gives all that friction allows, so that its motor turns it at the commanded speed. */
         private final boolean[] spins;
 
         // The velocity now: m/s and radians a second.
@@ -266,7 +266,7 @@ public record SwerveDrive(List<Module> modules, @Nullable Motor motor, double gr
             return speeds;
         }
 
-        /** How fast a wheel spins: as it is told to, or less fast where its motor gives no more than friction takes from it. */
+        /** How fast a wheel spins: at its commanded speed, or slower where its motor gives no more than friction takes from it. */
         private double spinning(int k) {
             double told = modules.get(k).speed();
             Motor motor = drive.motor();

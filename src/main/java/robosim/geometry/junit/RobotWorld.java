@@ -168,7 +168,7 @@ public final class RobotWorld {
         bodies().push(push);
     }
 
-    /** Where a body was after the last step, and its velocity; null if it has none. */
+    /** Where a body was after the last step, and its velocity; null if it is not a body. */
     @Nullable
     BodyAnswer answer(String name) {
         return bodies().answer(name);

@@ -215,4 +215,28 @@ class SwerveDriveTest {
                 .isThrownBy(() -> new SwerveDrive.Module(Double.NaN, 0))
                 .withMessageContaining("x must be");
     }
+
+    /** Wheels that work against each other take long: a step may be ended, and is counted, between any two bodies. */
+    @ParameterizedTest
+    @EnumSource
+    void aStepMayBeEndedBetweenTheDrivesOfTwoBodies(Dimension dimension) {
+        int bodies = 20;
+        int[] pauses = new int[2];
+        for (int k = 0; k < 2; k++) {
+            Geometry world = new Geometry(400, 40, 200, dimension, Accuracy.EXACT);
+            Dynamics dynamics = new Dynamics(world);
+            for (int b = 0; b < bodies; b++) {
+                world.addObject(new BoxObject(new Point(10 * b - 190, -19.5, 0), 1, 1, 1).moveable("r" + b));
+                dynamics.add("r" + b, Body.ofMass(world.getObject("r" + b), 50));
+                Drive drive = k == 0
+                        ? new OmnidirectionalDrive(1, 1, 90, 90).driving(1, 0, 0)
+                        : SwerveDrive.of(0.6, 0.6, null, 1).driving(1, 0, 0);
+                dynamics.drive("r" + b, drive);
+            }
+            int at = k;
+            dynamics.pausing(() -> pauses[at]++);
+            dynamics.step(0.02);
+        }
+        assertThat(pauses[1]).isGreaterThanOrEqualTo(pauses[0] + bodies);
+    }
 }

@@ -343,7 +343,7 @@ public final class BodyStepper {
             case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
             case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
             case SWERVE -> swerve(object, drive.swerve()).driving(command.forward(), command.right(), turn);
-            case NONE -> throw new IllegalStateException("a body with a drive of kind NONE has none");
+            case NONE -> throw new IllegalStateException("kind NONE must be handled before drives are made");
         };
     }
 

@@ -87,7 +87,7 @@ final class ObjectNumbers {
             Change change = changes.get(k);
             GeometryObject added = change.added;
             if (added == null) {
-                if (change.number != null) { // what came as a load of an object has none
+                if (change.number != null) { // loads of an object are not numbered
                     named.put(change.name, change.number);
                 }
             } else {
