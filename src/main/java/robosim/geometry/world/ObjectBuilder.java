@@ -33,6 +33,9 @@ import robosim.geometry.world.xml.Text;
 
 /** Creates objects from complete elements. Invalid values throw an {@link IllegalArgumentException}. */
 final class ObjectBuilder {
+    /** The most vertices of a hull in a file: of the worst kind they take a second. */
+    private static final int MOST_HULL_VERTICES = 16_384;
+
     private final String source;
     private final @Nullable Path base;
 
@@ -246,7 +249,7 @@ final class ObjectBuilder {
                         "a mesh with hull=\"true\" must have vertices alone; remove its triangles" + " and quads (got: "
                                 + element.faces.size() + " faces)");
             }
-            FileWork.take(element.vertices.size());
+            takeHull(element.vertices.size());
             return bounded(MeshObject.hull(element.vertices), element.bounds);
         }
         MeshObject mesh =
@@ -254,6 +257,15 @@ final class ObjectBuilder {
         double[] uv = element.uv;
         int[] corners = element.corners;
         return uv == null || corners == null ? mesh : mesh.withTextureCoordinates(new TextureCoordinates(uv, corners));
+    }
+
+    /** Counts the work of a hull, which for points on two circles grows with the square of their number. */
+    private static void takeHull(int vertices) {
+        if (vertices > MOST_HULL_VERTICES) {
+            throw new IllegalArgumentException("a mesh with hull=\"true\" must have at most " + MOST_HULL_VERTICES
+                    + " vertices; leave out those inside, or take the mesh without hull (got: " + vertices + ")");
+        }
+        FileWork.take(vertices + (long) vertices * vertices / 1000);
     }
 
     private static MeshObject bounded(MeshObject hull, @Nullable GeometryObject bounds) {
@@ -268,7 +280,7 @@ final class ObjectBuilder {
                 known = MeshFiles.read(key.file, key.scale, materials.textures);
             } else if (key.hull) {
                 MeshObject surface = fromFile(plain);
-                FileWork.take(surface.triangles().size());
+                takeHull(surface.vertices().size());
                 known = bounded(surface.hull(), key.bounds).withMaterial(surface.material());
             } else if (key.bounds == null) {
                 known = fromFile(plain).solid();

@@ -71,6 +71,10 @@ class WorldReaderTest {
         MeshObject read = (MeshObject) read(xml, folder).objects().get(0).object();
         assertThat(read.isSolid()).isTrue();
         assertThat(read.bounds().maxX()).isCloseTo(1, within(1e-9));
+        Files.writeString(folder.resolve("many.obj"), "v 0 0 1\n".repeat(16_384) + "v 1 0 0\nf 1 2 16385\n");
+        assertThatThrownBy(() -> read(OPEN + "><mesh hull='true' file='many.obj'/></world>", folder))
+                .hasMessageContaining("must have at most 16384 vertices")
+                .hasMessageContaining("(got: 16385)");
     }
 
     @Test
