@@ -39,7 +39,9 @@ import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.Talk;
+import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Frame;
+import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.WorldReader;
@@ -172,7 +174,7 @@ class PageDataTest {
     @ParameterizedTest
     @MethodSource("scenarios")
     void everyStoredScenarioIsToldAsItWas(Path file) throws IOException {
-        StateHistory film = PageFilms.of(Scenario.read(file));
+        StateHistory film = Replayer.film(Scenario.read(file), Colours.NONE);
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(page.frames).isEqualTo(film.size());
         assertThat(compared(film, 0, page)).isLessThanOrEqualTo(0.5 + 1e-6);
@@ -313,7 +315,7 @@ class PageDataTest {
     /** Of its own file, with its colours; and the sonars of its robots. */
     @Test
     void aWorldShowsWhatItsSonarsMeasure() throws IOException {
-        StateHistory film = PageFilms.of(WorldReader.read(Path.of("worlds", "rooms.xml")));
+        StateHistory film = StateHistory.of(WorldReader.read(Path.of("worlds", "rooms.xml")));
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(page.chapters.get(0).scans)
                 .hasSize(8)
@@ -327,7 +329,7 @@ class PageDataTest {
     void thePagesProgramAgrees(@TempDir Path folder) throws Exception {
         Assumptions.assumeTrue(Program.find("node").isPresent(), "no node on the path, which runs the page's program");
         List<StateHistory> films = List.of(
-                PageFilms.of(Scenario.read(Path.of("worlds", "scenarios", "wandering.scenario.jsonl"))),
+                Replayer.film(Scenario.read(Path.of("worlds", "scenarios", "wandering.scenario.jsonl")), Colours.NONE),
                 Pages.film(Pages.wander(60, 12, 1000, true, new SplittableRandom(4))),
                 Pages.film(Pages.tumble(300, new SplittableRandom(5))));
         Path script = Path.of("src/test/resources/robosim/geometry/export/decode.js");

@@ -20,13 +20,13 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.export.PageFilms;
 import robosim.geometry.export.PageWriter;
 import robosim.geometry.export.RosRecording;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.World;
 
@@ -117,7 +117,7 @@ public final class ExportCommand implements Callable<Integer> {
                 throw new UsageException("--world is for a recording, and FILE is a world (got: " + colours + ")");
             }
             World world = files.world(file);
-            write(new PageWriter(PageFilms.of(world)).described("", Pictures.unit(world)), 0);
+            write(new PageWriter(StateHistory.of(world)).described("", Pictures.unit(world)), 0);
         }
         return ExitCodes.FINE;
     }
@@ -143,7 +143,7 @@ public final class ExportCommand implements Callable<Integer> {
         StateHistory film;
         try (StepReader reader = WireFiles.recording(file);
                 Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
-            film = PageFilms.of(reader, lender == null ? Colours.NONE : Colours.of(lender), progress::at);
+            film = Replayer.film(reader, lender == null ? Colours.NONE : Colours.of(lender), progress::at);
         }
         if (film.size() == 0) {
             throw new UsageException("FILE must have a step (got: none in " + file + ")");

@@ -11,9 +11,9 @@ import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
-import robosim.geometry.export.PageFilms;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
+import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.World;
 
@@ -53,7 +53,7 @@ public final class RecordingOptions {
         Colours colours = lender == null ? Colours.NONE : Colours.of(lender);
         try (StepReader reader = WireFiles.recording(file);
                 Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
-            return PageFilms.of(reader, colours, progress::at);
+            return Replayer.film(reader, colours, progress::at);
         }
     }
 

@@ -23,12 +23,12 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.export.PageFilms;
 import robosim.geometry.export.PageWriter;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.scenario.source.WatchReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.web.LiveFilm;
 import robosim.geometry.viewer.web.LiveSource;
@@ -145,7 +145,7 @@ public final class ViewCommand implements Callable<Integer> {
         StateHistory film;
         try (StepReader reader = WireFiles.recording(file);
                 Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
-            film = PageFilms.of(reader, of(lender), progress::at);
+            film = Replayer.film(reader, of(lender), progress::at);
         }
         int first = film.first();
         while (first < film.size() && film.world(first) < 0) {

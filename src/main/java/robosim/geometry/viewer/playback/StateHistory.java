@@ -10,6 +10,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.World;
 
 /**
  * The state history of a conversation: frames by number, from 0, and the world at any of them without replaying from
@@ -39,6 +40,15 @@ public final class StateHistory {
     /** A history with another maximum number of places and distances. */
     public StateHistory(int most) {
         this.most = most;
+    }
+
+    /** A world as its file has it, with what the sonars of its robots measure there. */
+    public static StateHistory of(World world) {
+        Map<String, List<Scene.Ping>> heard = WorldSonars.of(world).measure(world.toGeometry(outside -> {}));
+        StateHistory film = new StateHistory();
+        film.append(new Frame(
+                Frame.Setting.of(world), Map.of(), List.of(), heard, Pictures.contents(world), List.of(), null));
+        return film;
     }
 
     /**
