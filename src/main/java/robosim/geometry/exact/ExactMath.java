@@ -32,9 +32,7 @@ public final class ExactMath {
             return Dyadic.ZERO;
         }
         Dyadic root = square.root(BITS); // rounded down
-        return root.square().compareTo(square) == 0
-                ? root
-                : root.add(Dyadic.ONE.scale(root.magnitude() - BITS + 1));
+        return root.square().compareTo(square) == 0 ? root : root.add(Dyadic.ONE.scale(root.magnitude() - BITS + 1));
     }
 
     /** The sign of {@code p - q sqrt(square)}; {@code square} must be at least 0. */

@@ -100,9 +100,9 @@ public final class PageWriter {
      */
     public static void write(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
             throws IOException {
-        new PageWriter(Replayer.film(scenario, world == null ? Colours.NONE : Colours.of(world)))
+        new PageWriter(Replayer.film(scenario, Colours.of(world)))
                 .titled(scenario.header().title())
-                .described("", world == null ? "" : Pictures.unit(world))
+                .described("", Pictures.unit(world))
                 .withGoals(goals)
                 .openedAtEnd()
                 .write(file);

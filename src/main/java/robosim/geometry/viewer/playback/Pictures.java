@@ -52,9 +52,9 @@ public final class Pictures {
         return of(world, title).with(List.of(), pings, List.of());
     }
 
-    /** The name of the world unit for the scale bar; empty if unspecified. */
-    public static String unit(World world) {
-        Unit unit = world.unit();
+    /** The name of the world unit for the scale bar; empty if unspecified, or without a world. */
+    public static String unit(@Nullable World world) {
+        Unit unit = world == null ? null : world.unit();
         return unit == null ? "" : unit.symbol();
     }
 
@@ -173,7 +173,7 @@ public final class Pictures {
      * @param world lends colours and a unit; null for none
      */
     public static Moments lastMoments(Scenario scenario, List<GeometryObject> goals, @Nullable World world) {
-        Scene scene = lastMoments(scenario, world == null ? Colours.NONE : Colours.of(world));
+        Scene scene = lastMoments(scenario, Colours.of(world));
         if (world != null) {
             scene = scene.described(scene.subtitle(), unit(world));
         }
