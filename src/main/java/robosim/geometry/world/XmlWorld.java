@@ -36,19 +36,10 @@ import robosim.geometry.world.xml.WorldSchema;
  * include, each of which is read once.
  */
 final class XmlWorld implements WorldHandler.Includes {
-    /**
-     * A world that was read.
-     *
-     * @param read    number of elements that were read
-     * @param skipped what is missing of included files
-     * @param remarks what a user should know of them
-     */
-    record Found(World world, String format, Map<String, Integer> read, Set<Skipped> skipped, Set<String> remarks) {}
-
     /** Reads a file of another format, with folders of models. */
     @FunctionalInterface
     interface Others {
-        Found read(Path file, List<Path> folders) throws WorldException;
+        WorldImport read(Path file, List<Path> folders) throws WorldException;
     }
 
     /** The folders in whose trees included files lie: that of the world that is read, and those of models. */
@@ -60,7 +51,7 @@ final class XmlWorld implements WorldHandler.Includes {
     /** The files that are being read, each of which includes the next, as they are named to users. */
     private final Map<Path, String> open = new LinkedHashMap<>();
 
-    private final Map<Path, Found> known = new HashMap<>();
+    private final Map<Path, WorldImport> known = new HashMap<>();
     private final Set<Skipped> skipped = new LinkedHashSet<>();
     private final Set<String> remarks = new LinkedHashSet<>();
     private final Map<String, Integer> read = new HashMap<>();
@@ -75,14 +66,15 @@ final class XmlWorld implements WorldHandler.Includes {
         folders.addAll(models);
     }
 
-    static Found read(Path file, List<Path> models, Others others) throws FileProblem {
+    static WorldImport read(Path file, List<Path> models, Others others) throws FileProblem {
         try (InputStream in = RegularFile.open(file)) {
             Path base = file.toAbsolutePath().getParent();
             XmlWorld reader = new XmlWorld(base, models, others);
             reader.open.put(file.toRealPath(), String.valueOf(file.getFileName()));
             World world = reader.parse(in, file.toString(), base, null).world();
             reader.read.put("object", world.objects().size());
-            return new Found(world, "world", reader.read, reader.skipped, reader.remarks);
+            return new WorldImport(
+                    world, "world", reader.read, Map.of(), List.copyOf(reader.skipped), List.copyOf(reader.remarks));
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);
         }
@@ -117,7 +109,7 @@ final class XmlWorld implements WorldHandler.Includes {
     @Override
     public List<WorldObject> include(Element element, @Nullable Path base, Placement place, World outer)
             throws FileProblem {
-        Found included = included(locate(element.attribute("file", ""), base));
+        WorldImport included = included(locate(element.attribute("file", ""), base));
         Unit unit = outer.unit();
         Unit other = included.world().unit();
         if (unit != null && other != null && unit != other) {
@@ -221,8 +213,8 @@ final class XmlWorld implements WorldHandler.Includes {
                 + " below the folder of the world that is read, or below one of models (got: " + file + ")");
     }
 
-    private Found included(Path real) throws FileProblem {
-        Found before = known.get(real);
+    private WorldImport included(Path real) throws FileProblem {
+        WorldImport before = known.get(real);
         if (before != null) {
             return before;
         }
@@ -235,7 +227,7 @@ final class XmlWorld implements WorldHandler.Includes {
             throw new IllegalArgumentException(
                     "files must be included at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
-        Found made;
+        WorldImport made;
         open.put(real, name);
         try {
             bytes += Files.isRegularFile(real) ? Files.size(real) : 0;
@@ -270,10 +262,10 @@ final class XmlWorld implements WorldHandler.Includes {
         }
     }
 
-    private Found nested(Path file, String name) throws IOException {
+    private WorldImport nested(Path file, String name) throws IOException {
         try (InputStream in = RegularFile.open(file)) {
             World world = parse(in, name, file.getParent(), null).world();
-            return new Found(world, "world", Map.of(), Set.of(), Set.of());
+            return new WorldImport(world, "world", Map.of());
         }
     }
 
