@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -191,7 +192,7 @@ public record WorldImport(
             case "yaml", "yml" -> RosMapReader.readImport(file, options);
             default -> {
                 try {
-                    yield XmlWorld.read(file, options.models(), others(options));
+                    yield of(XmlWorld.read(file, options.models(), others(options)));
                 } catch (FileProblem e) {
                     throw new WorldException(e);
                 }
@@ -199,10 +200,28 @@ public record WorldImport(
         };
     }
 
+    private static WorldImport of(XmlWorld.Found found) {
+        return new WorldImport(
+                found.world(),
+                found.format(),
+                found.read(),
+                Map.of(),
+                List.copyOf(found.skipped()),
+                List.copyOf(found.remarks()));
+    }
+
     /** How a world file reads those of other formats that it includes. */
     static XmlWorld.Others others(ImportOptions options) {
-        // The world that includes it says whether heights count.
-        return (file, folders) -> read(file, options.withModels(folders).withDimension(null));
+        return (file, folders) -> {
+            // The world that includes it says whether heights count.
+            WorldImport read = read(file, options.withModels(folders).withDimension(null));
+            return new XmlWorld.Found(
+                    read.world,
+                    read.format,
+                    read.read,
+                    new LinkedHashSet<>(read.skipped),
+                    new LinkedHashSet<>(read.remarks));
+        };
     }
 
     private static String ending(String name) {

@@ -36,10 +36,19 @@ import robosim.geometry.world.xml.WorldSchema;
  * include, each of which is read once.
  */
 final class XmlWorld implements WorldHandler.Includes {
+    /**
+     * A world that was read.
+     *
+     * @param read    number of elements that were read
+     * @param skipped what is missing of included files
+     * @param remarks what a user should know of them
+     */
+    record Found(World world, String format, Map<String, Integer> read, Set<Skipped> skipped, Set<String> remarks) {}
+
     /** Reads a file of another format, with folders of models. */
     @FunctionalInterface
     interface Others {
-        WorldImport read(Path file, List<Path> folders) throws WorldException;
+        Found read(Path file, List<Path> folders) throws WorldException;
     }
 
     /** The folders in whose trees included files lie: that of the world that is read, and those of models. */
@@ -51,7 +60,7 @@ final class XmlWorld implements WorldHandler.Includes {
     /** The files that are being read, each of which includes the next, as they are named to users. */
     private final Map<Path, String> open = new LinkedHashMap<>();
 
-    private final Map<Path, WorldImport> known = new HashMap<>();
+    private final Map<Path, Found> known = new HashMap<>();
     private final Set<Skipped> skipped = new LinkedHashSet<>();
     private final Set<String> remarks = new LinkedHashSet<>();
     private final Map<String, Integer> read = new HashMap<>();
@@ -66,15 +75,14 @@ final class XmlWorld implements WorldHandler.Includes {
         folders.addAll(models);
     }
 
-    static WorldImport read(Path file, List<Path> models, Others others) throws FileProblem {
+    static Found read(Path file, List<Path> models, Others others) throws FileProblem {
         try (InputStream in = RegularFile.open(file)) {
             Path base = file.toAbsolutePath().getParent();
             XmlWorld reader = new XmlWorld(base, models, others);
             reader.open.put(file.toRealPath(), String.valueOf(file.getFileName()));
             World world = reader.parse(in, file.toString(), base, null).world();
             reader.read.put("object", world.objects().size());
-            return new WorldImport(
-                    world, "world", reader.read, Map.of(), List.copyOf(reader.skipped), List.copyOf(reader.remarks));
+            return new Found(world, "world", reader.read, reader.skipped, reader.remarks);
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);
         }
@@ -109,7 +117,7 @@ final class XmlWorld implements WorldHandler.Includes {
     @Override
     public List<WorldObject> include(Element element, @Nullable Path base, Placement place, World outer)
             throws FileProblem {
-        WorldImport included = included(locate(element.attribute("file", ""), base));
+        Found included = included(locate(element.attribute("file", ""), base));
         Unit unit = outer.unit();
         Unit other = included.world().unit();
         if (unit != null && other != null && unit != other) {
@@ -213,8 +221,8 @@ final class XmlWorld implements WorldHandler.Includes {
                 + " below the folder of the world that is read, or below one of models (got: " + file + ")");
     }
 
-    private WorldImport included(Path real) throws FileProblem {
-        WorldImport before = known.get(real);
+    private Found included(Path real) throws FileProblem {
+        Found before = known.get(real);
         if (before != null) {
             return before;
         }
@@ -227,7 +235,7 @@ final class XmlWorld implements WorldHandler.Includes {
             throw new IllegalArgumentException(
                     "files must be included at most " + Limits.MAX_GROUPS + " deep; nest less (got: one more)");
         }
-        WorldImport made;
+        Found made;
         open.put(real, name);
         try {
             bytes += Files.isRegularFile(real) ? Files.size(real) : 0;
@@ -262,10 +270,10 @@ final class XmlWorld implements WorldHandler.Includes {
         }
     }
 
-    private WorldImport nested(Path file, String name) throws IOException {
+    private Found nested(Path file, String name) throws IOException {
         try (InputStream in = RegularFile.open(file)) {
             World world = parse(in, name, file.getParent(), null).world();
-            return new WorldImport(world, "world", Map.of());
+            return new Found(world, "world", Map.of(), Set.of(), Set.of());
         }
     }
 
