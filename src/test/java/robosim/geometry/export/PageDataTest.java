@@ -270,7 +270,7 @@ class PageDataTest {
                 robosim.geometry.model.Accuracy.EXACT,
                 List.of(),
                 List.of(new Scene.Thing(robot, null)));
-        film.append(Frame.of(setting, "begins"));
+        film.append(opening(setting, "begins"));
         Pose there =
                 robot.movedTo(new Point(-0.4 * size, 0.2 * size, 0.4 * size)).pose();
         film.append(new Frame(null, Map.of("robot", there), List.of(), Map.of(), "", List.of(), null));
@@ -279,11 +279,15 @@ class PageDataTest {
         assertThat(size / page.unit).isGreaterThan(16).isLessThanOrEqualTo(32);
     }
 
+    private static Frame opening(Frame.Setting setting, String words) {
+        return new Frame(setting, Map.of(), List.of(), Map.of(), words, List.of(), null);
+    }
+
     @Test
     void theObjectsOfAllKinds() {
         List<GeometryObject> kinds = Pages.kinds();
         StateHistory film = new StateHistory();
-        film.append(Frame.of(
+        film.append(opening(
                 Frame.Setting.of(new robosim.geometry.world.World(
                         20,
                         4,

@@ -98,11 +98,7 @@ public final class Pictures {
      * The end of a conversation: the robots at their final places, with the trails of their last steps, their last
      * distances and what blocked their last moves. The same conversation gives the same picture.
      */
-    public static Scene lastMoments(Scenario scenario) {
-        return lastMoments(scenario, Colours.NONE);
-    }
-
-    private static Scene lastMoments(Scenario scenario, Colours colours) {
+    static Scene lastMoments(Scenario scenario, Colours colours) {
         StateHistory film = Replayer.film(scenario, colours);
         return film.at(film.size() - 1, new StateHistory.Look(MOMENTS, MOMENTS))
                 .titled(scenario.header().title());
@@ -167,7 +163,7 @@ public final class Pictures {
     }
 
     /**
-     * The end of a conversation, as in {@link #lastMoments(Scenario)}; of a large world only the part where it happened.
+     * The end of a conversation, as in {@link #lastMoments(Scenario, Colours)}; of a large world only the part where it happened.
      *
      * @param goals goals of robots, which the picture includes
      * @param world lends colours and a unit; null for none
