@@ -16,6 +16,11 @@ public interface Axis {
     /** Marks, in order. */
     List<Tick> ticks();
 
+    /** Whether its marks stand on a line, as those of a scale do, and names do not. */
+    default boolean isScale() {
+        return true;
+    }
+
     /** Where something other than the scale begins or ends, such as the strip of zeros; may be empty. */
     default List<Double> breaks() {
         return List.of();

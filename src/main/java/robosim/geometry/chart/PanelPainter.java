@@ -105,7 +105,7 @@ final class PanelPainter {
             if (tick.line()) {
                 line("grid", plot.left(), y, plot.right(), y, out);
             }
-            if (!(axis instanceof NamesAxis)) {
+            if (axis.isScale()) {
                 line("frame", plot.left() - (tick.label().isEmpty() ? 3 : 6), y, plot.left(), y, out);
             }
             if (!tick.label().isEmpty()) {

@@ -167,22 +167,14 @@ public final class Dyadic implements Comparable<Dyadic> {
      * Sign of {@code a + b + c}, exact, without allocation in all ordinary cases.
      */
     public static int signOfSum(double a, double b, double c) {
-        // The exact sum of a and b is s + e; adding c to (e, s) gives three parts that do not overlap (Shewchuk 1997,
-        // 2.4).
-        double s = a + b;
-        double e = DoubleDouble.sumTail(a, b, s);
-        double q = c + e;
-        double low = DoubleDouble.sumTail(c, e, q);
-        double high = q + s;
-        double middle = DoubleDouble.sumTail(q, s, high);
-        if (!(Math.abs(high) + Math.abs(middle) < Double.POSITIVE_INFINITY)) {
-            return of(a).add(of(b)).add(of(c)).signum();
-        }
-        return sign(high, middle, low, 0);
+        return signOfSum(a, b, c, 0);
     }
 
     /** Sign of {@code a + b + c + d}, exact, without allocation in all ordinary cases. */
     public static int signOfSum(double a, double b, double c, double d) {
+        // The exact sum of a and b is s + e; adding c to (e, s) gives three parts that do not overlap, and so on
+        // (Shewchuk
+        // 1997, 2.4).
         double s = a + b;
         double e = DoubleDouble.sumTail(a, b, s);
         double q = c + e;

@@ -2,6 +2,8 @@ package robosim.geometry.exact;
 
 /** Quotients and square roots of exact numbers, rounded in a known direction. */
 public final class ExactMath {
+    private static final int BITS = 96;
+
     private ExactMath() {}
 
     /**
@@ -29,15 +31,8 @@ public final class ExactMath {
         if (square.signum() <= 0) {
             return Dyadic.ZERO;
         }
-        int power = exponent(square) & ~1;
-        Dyadic scaled = square.scale(-power); // from 1 up to, not including, 4
-        double root = Math.sqrt(scaled.doubleValue());
-        Dyadic missing = scaled.subtract(Dyadic.of(root).square());
-        if (missing.signum() == 0) {
-            return Dyadic.of(root).scale(power / 2);
-        }
-        double rest = missing.doubleValue() / (2 * root);
-        return Dyadic.of(root).add(Dyadic.of(rest)).add(Dyadic.of(0x1p-95)).scale(power / 2);
+        Dyadic root = square.root(BITS); // rounded down
+        return root.square().compareTo(square) == 0 ? root : root.add(Dyadic.ONE.scale(root.magnitude() - BITS + 1));
     }
 
     /** The sign of {@code p - q sqrt(square)}; {@code square} must be at least 0. */
@@ -59,20 +54,6 @@ public final class ExactMath {
 
     // Scaled so that q becomes about 1.
     private static Dyadic unit(Dyadic value, Dyadic q) {
-        return value.scale(-exponent(q));
-    }
-
-    private static int exponent(Dyadic value) {
-        Dyadic rest = value.abs();
-        int power = 0;
-        while (rest.doubleValue() >= 0x1p512) {
-            rest = rest.scale(-512);
-            power += 512;
-        }
-        while (rest.doubleValue() < 0x1p-512) {
-            rest = rest.scale(512);
-            power -= 512;
-        }
-        return power + Math.getExponent(rest.doubleValue());
+        return value.scale(-q.magnitude());
     }
 }

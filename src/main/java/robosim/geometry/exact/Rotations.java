@@ -58,58 +58,33 @@ public final class Rotations {
 
     /** Turns about the own Y axis: {@code R <- R * Ry(degrees)}. Quarter turns only permute columns and change signs. */
     public static void turnOwnY(double[] r, int at, double degrees) {
-        double c = Degrees.cos(degrees);
-        double s = Degrees.sin(degrees);
-        for (int row = at; row < at + SIZE; row += 3) {
-            double x = r[row];
-            double z = r[row + 2];
-            r[row] = c * x - s * z + 0.0;
-            r[row + 2] = s * x + c * z + 0.0;
-        }
-        if (c != 0 && s != 0) {
-            orthonormalise(r, at);
-        }
+        turn(r, at, 0, 2, 3, degrees);
     }
 
     /** Turns about the own X axis: {@code R <- R * Rx(degrees)}. Quarter turns only permute columns and change signs. */
     public static void turnOwnX(double[] r, int at, double degrees) {
-        double c = Degrees.cos(degrees);
-        double s = Degrees.sin(degrees);
-        for (int row = at; row < at + SIZE; row += 3) {
-            double y = r[row + 1];
-            double z = r[row + 2];
-            r[row + 1] = c * y + s * z + 0.0;
-            r[row + 2] = c * z - s * y + 0.0;
-        }
-        if (c != 0 && s != 0) {
-            orthonormalise(r, at);
-        }
+        turn(r, at, 2, 1, 3, degrees);
     }
 
     /** Turns about the world's vertical: {@code R <- Ry(degrees) * R}. Quarter turns only permute rows and change signs. */
     public static void turnVertically(double[] r, int at, double degrees) {
-        double c = Degrees.cos(degrees);
-        double s = Degrees.sin(degrees);
-        for (int column = at; column < at + 3; column++) {
-            double x = r[column];
-            double z = r[column + 6];
-            r[column] = c * x + s * z + 0.0;
-            r[column + 6] = c * z - s * x + 0.0;
-        }
-        if (c != 0 && s != 0) {
-            orthonormalise(r, at);
-        }
+        turn(r, at, 6, 0, 1, degrees);
     }
 
     /** Turns about the world's X axis: {@code R <- Rx(degrees) * R}. Quarter turns only permute rows and change signs. */
     public static void turnWorldX(double[] r, int at, double degrees) {
+        turn(r, at, 3, 6, 1, degrees);
+    }
+
+    /** Turns three pairs of numbers, the first number of each towards the second one, with so many numbers from pair to pair. */
+    private static void turn(double[] r, int at, int first, int second, int step, double degrees) {
         double c = Degrees.cos(degrees);
         double s = Degrees.sin(degrees);
-        for (int column = at; column < at + 3; column++) {
-            double y = r[column + 3];
-            double z = r[column + 6];
-            r[column + 3] = c * y - s * z + 0.0;
-            r[column + 6] = s * y + c * z + 0.0;
+        for (int k = 0; k < 3 * step; k += step) {
+            double p = r[at + first + k];
+            double q = r[at + second + k];
+            r[at + first + k] = c * p - s * q + 0.0;
+            r[at + second + k] = s * p + c * q + 0.0;
         }
         if (c != 0 && s != 0) {
             orthonormalise(r, at);

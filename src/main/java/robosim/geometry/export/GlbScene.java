@@ -231,9 +231,7 @@ final class GlbScene {
     private int indices(int[] values) {
         int begin = numbers.size();
         for (int value : values) {
-            for (int shift = 0; shift < 32; shift += 8) {
-                numbers.octet(value >> shift);
-            }
+            numbers.number(value, Integer.BYTES);
         }
         return accessor(begin, INDICES, UNSIGNED_INT, values.length, "SCALAR", "");
     }

@@ -2,8 +2,6 @@ package robosim.geometry.export;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -82,8 +80,10 @@ public final class GlbWriter {
     }
 
     private static byte[] words(int... words) {
-        ByteBuffer bytes = ByteBuffer.allocate(4 * words.length).order(ByteOrder.LITTLE_ENDIAN);
-        bytes.asIntBuffer().put(words);
-        return bytes.array();
+        PackedStream bytes = new PackedStream();
+        for (int word : words) {
+            bytes.number(word, Integer.BYTES);
+        }
+        return bytes.toBytes();
     }
 }

@@ -1,9 +1,7 @@
 package robosim.geometry.export;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -49,8 +47,8 @@ final class McapWriter implements MessageSink {
     private final List<byte[]> channelRecords = new ArrayList<>();
     private final List<byte[]> chunkRecords = new ArrayList<>();
 
-    private Content chunk = new Content();
-    private final Map<Integer, Content> index = new TreeMap<>();
+    private PackedStream chunk = new PackedStream();
+    private final Map<Integer, PackedStream> index = new TreeMap<>();
     private long chunkFrom;
     private long chunkTo;
     private long first;
@@ -74,7 +72,7 @@ final class McapWriter implements MessageSink {
         this.out = out;
         this.types = types;
         data(MAGIC);
-        data(new Content().text("ros2").text(library).as(HEADER));
+        data(record(HEADER, new PackedStream().longText("ros2").longText(library)));
     }
 
     @Override
@@ -88,16 +86,17 @@ final class McapWriter implements MessageSink {
         }
         chunkTo = nanos;
         last = nanos;
-        index.computeIfAbsent(channel.id, unseen -> new Content())
+        index.computeIfAbsent(channel.id, unseen -> new PackedStream())
                 .number(nanos, 8)
                 .number(chunk.size(), 8);
-        chunk.bytes(new Content()
-                .number(channel.id, 2)
-                .number(channel.messages, 4)
-                .number(nanos, 8)
-                .number(nanos, 8)
-                .bytes(types.encode(type, value))
-                .as(MESSAGE));
+        chunk.append(record(
+                MESSAGE,
+                new PackedStream()
+                        .number(channel.id, 2)
+                        .number(channel.messages, 4)
+                        .number(nanos, 8)
+                        .number(nanos, 8)
+                        .append(types.encode(type, value))));
         channel.messages++;
         messages++;
         if (chunk.size() >= CHUNK_BYTES) {
@@ -118,14 +117,15 @@ final class McapWriter implements MessageSink {
         if (schema == null) {
             schema = schemas.size() + 1;
             schemas.put(type, schema);
-            byte[] record = new Content()
-                    .number(schema, 2)
-                    .text(type.replace("/", "/msg/"))
-                    .text("ros2msg")
-                    .text(types.schema(type))
-                    .as(SCHEMA);
+            byte[] record = record(
+                    SCHEMA,
+                    new PackedStream()
+                            .number(schema, 2)
+                            .longText(type.replace("/", "/msg/"))
+                            .longText("ros2msg")
+                            .longText(types.schema(type)));
             schemaRecords.add(record);
-            chunk.bytes(record);
+            chunk.append(record);
         }
         if (channels.size() >= MOST_CHANNELS) {
             throw new IOException("an MCAP file must have at most " + MOST_CHANNELS
@@ -133,15 +133,16 @@ final class McapWriter implements MessageSink {
         }
         Channel made = new Channel(channels.size() + 1, type);
         channels.put(topic, made);
-        byte[] record = new Content()
-                .number(made.id, 2)
-                .number(schema, 2)
-                .text(topic)
-                .text("cdr")
-                .number(0, 4) // no metadata
-                .as(CHANNEL);
+        byte[] record = record(
+                CHANNEL,
+                new PackedStream()
+                        .number(made.id, 2)
+                        .number(schema, 2)
+                        .longText(topic)
+                        .longText("cdr")
+                        .number(0, 4)); // no metadata
         channelRecords.add(record);
-        chunk.bytes(record);
+        chunk.append(record);
         return made;
     }
 
@@ -149,42 +150,45 @@ final class McapWriter implements MessageSink {
         if (index.isEmpty()) {
             return;
         }
-        byte[] records = chunk.content();
+        byte[] records = chunk.toBytes();
         long start = written;
-        byte[] record = new Content()
-                .number(chunkFrom, 8)
-                .number(chunkTo, 8)
-                .number(records.length, 8)
-                .number(crc(records), 4)
-                .text("")
-                .number(records.length, 8)
-                .bytes(records)
-                .as(CHUNK);
+        byte[] record = record(
+                CHUNK,
+                new PackedStream()
+                        .number(chunkFrom, 8)
+                        .number(chunkTo, 8)
+                        .number(records.length, 8)
+                        .number(crc(records), 4)
+                        .longText("")
+                        .number(records.length, 8)
+                        .append(records));
         data(record);
-        Content offsets = new Content();
+        PackedStream offsets = new PackedStream();
         long indexFrom = written;
-        for (Map.Entry<Integer, Content> each : index.entrySet()) {
+        for (Map.Entry<Integer, PackedStream> each : index.entrySet()) {
             offsets.number(each.getKey(), 2).number(written, 8);
-            byte[] entries = each.getValue().content();
-            data(new Content()
-                    .number(each.getKey(), 2)
-                    .number(entries.length, 4)
-                    .bytes(entries)
-                    .as(MESSAGE_INDEX));
+            byte[] entries = each.getValue().toBytes();
+            data(record(
+                    MESSAGE_INDEX,
+                    new PackedStream()
+                            .number(each.getKey(), 2)
+                            .number(entries.length, 4)
+                            .append(entries)));
         }
-        chunkRecords.add(new Content()
-                .number(chunkFrom, 8)
-                .number(chunkTo, 8)
-                .number(start, 8)
-                .number(record.length, 8)
-                .number(offsets.size(), 4)
-                .bytes(offsets.content())
-                .number(written - indexFrom, 8)
-                .text("")
-                .number(records.length, 8)
-                .number(records.length, 8)
-                .as(CHUNK_INDEX));
-        chunk = new Content();
+        chunkRecords.add(record(
+                CHUNK_INDEX,
+                new PackedStream()
+                        .number(chunkFrom, 8)
+                        .number(chunkTo, 8)
+                        .number(start, 8)
+                        .number(record.length, 8)
+                        .number(offsets.size(), 4)
+                        .append(offsets.toBytes())
+                        .number(written - indexFrom, 8)
+                        .longText("")
+                        .number(records.length, 8)
+                        .number(records.length, 8)));
+        chunk = new PackedStream();
         index.clear();
     }
 
@@ -192,55 +196,54 @@ final class McapWriter implements MessageSink {
     @Override
     public void finish() throws IOException {
         endChunk();
-        plain(new Content().number(dataCrc.getValue(), 4).as(DATA_END));
+        plain(record(DATA_END, new PackedStream().number(dataCrc.getValue(), 4)));
         long summary = written;
-        Content all = new Content();
-        Content groups = new Content();
+        PackedStream all = new PackedStream();
+        PackedStream groups = new PackedStream();
         group(SCHEMA, schemaRecords, summary, all, groups);
         group(CHANNEL, channelRecords, summary, all, groups);
         group(STATISTICS, List.of(statistics()), summary, all, groups);
         group(CHUNK_INDEX, chunkRecords, summary, all, groups);
         long groupsFrom = summary + all.size();
-        all.bytes(groups.content());
-        Content footer = new Content().number(summary, 8).number(groupsFrom, 8);
+        all.append(groups.toBytes());
+        PackedStream footer = new PackedStream().number(summary, 8).number(groupsFrom, 8);
         CRC32 crc = new CRC32();
-        crc.update(all.content());
+        crc.update(all.toBytes());
         crc.update(FOOTER);
-        crc.update(new Content().number(footer.size() + 4L, 8).content());
-        crc.update(footer.content());
-        plain(all.content());
-        plain(footer.number(crc.getValue(), 4).as(FOOTER));
+        crc.update(new PackedStream().number(footer.size() + 4L, 8).toBytes());
+        crc.update(footer.toBytes());
+        plain(all.toBytes());
+        plain(record(FOOTER, footer.number(crc.getValue(), 4)));
         plain(MAGIC);
     }
 
-    private static void group(int opcode, List<byte[]> records, long summary, Content all, Content groups) {
+    private static void group(int opcode, List<byte[]> records, long summary, PackedStream all, PackedStream groups) {
         if (records.isEmpty()) {
             return;
         }
         long from = summary + all.size();
-        records.forEach(all::bytes);
-        groups.bytes(new Content()
-                .number(opcode, 1)
-                .number(from, 8)
-                .number(summary + all.size() - from, 8)
-                .as(SUMMARY_OFFSET));
+        records.forEach(all::append);
+        groups.append(record(
+                SUMMARY_OFFSET,
+                new PackedStream().number(opcode, 1).number(from, 8).number(summary + all.size() - from, 8)));
     }
 
     private byte[] statistics() {
-        Content counts = new Content();
+        PackedStream counts = new PackedStream();
         channels.values().forEach(each -> counts.number(each.id, 2).number(each.messages, 8));
-        return new Content()
-                .number(messages, 8)
-                .number(schemas.size(), 2)
-                .number(channels.size(), 4)
-                .number(0, 4) // attachments
-                .number(0, 4) // metadata
-                .number(chunkRecords.size(), 4)
-                .number(first, 8)
-                .number(last, 8)
-                .number(counts.size(), 4)
-                .bytes(counts.content())
-                .as(STATISTICS);
+        return record(
+                STATISTICS,
+                new PackedStream()
+                        .number(messages, 8)
+                        .number(schemas.size(), 2)
+                        .number(channels.size(), 4)
+                        .number(0, 4) // attachments
+                        .number(0, 4) // metadata
+                        .number(chunkRecords.size(), 4)
+                        .number(first, 8)
+                        .number(last, 8)
+                        .number(counts.size(), 4)
+                        .append(counts.toBytes()));
     }
 
     private static long crc(byte[] bytes) {
@@ -259,42 +262,12 @@ final class McapWriter implements MessageSink {
         written += bytes.length;
     }
 
-    /** The content of a record, least significant byte first. */
-    private static final class Content {
-        private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-
-        private int size() {
-            return bytes.size();
-        }
-
-        private byte[] content() {
-            return bytes.toByteArray();
-        }
-
-        private Content number(long value, int size) {
-            for (int k = 0; k < size; k++) {
-                bytes.write((int) (value >>> (8 * k)));
-            }
-            return this;
-        }
-
-        private Content bytes(byte[] more) {
-            bytes.writeBytes(more);
-            return this;
-        }
-
-        private Content text(String text) {
-            byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
-            return number(utf8.length, 4).bytes(utf8);
-        }
-
-        /** The record: its kind, its length and its content. */
-        private byte[] as(int opcode) {
-            return new Content()
-                    .number(opcode, 1)
-                    .number(size(), 8)
-                    .bytes(content())
-                    .content();
-        }
+    /** A record: its kind, its length and its content. */
+    private static byte[] record(int opcode, PackedStream content) {
+        return new PackedStream()
+                .number(opcode, 1)
+                .number(content.size(), 8)
+                .append(content.toBytes())
+                .toBytes();
     }
 }

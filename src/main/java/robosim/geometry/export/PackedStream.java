@@ -34,20 +34,22 @@ final class PackedStream {
         bytes.write(value);
     }
 
+    /** The lower bytes of a number, lowest first. */
+    PackedStream number(long value, int size) {
+        for (int k = 0; k < size; k++) {
+            bytes.write((int) (value >>> (8 * k)));
+        }
+        return this;
+    }
+
     /** The nearest float of a magnitude whose square is one too, lowest byte first. */
     void real(double value) {
-        int bits = Float.floatToIntBits((float) Math.max(-LARGEST, Math.min(LARGEST, value)));
-        for (int shift = 0; shift < 32; shift += 8) {
-            bytes.write(bits >> shift);
-        }
+        number(Float.floatToIntBits((float) Math.max(-LARGEST, Math.min(LARGEST, value))), Float.BYTES);
     }
 
     /** A double with all its bits, lowest byte first. */
     void exact(double value) {
-        long bits = Double.doubleToLongBits(value);
-        for (int shift = 0; shift < 64; shift += 8) {
-            bytes.write((int) (bits >> shift));
-        }
+        number(Double.doubleToLongBits(value), Double.BYTES);
     }
 
     void text(String text) {
@@ -56,8 +58,15 @@ final class PackedStream {
         bytes.writeBytes(utf8);
     }
 
-    void append(byte[] more) {
+    /** A text of a length of four bytes. */
+    PackedStream longText(String text) {
+        byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
+        return number(utf8.length, Integer.BYTES).append(utf8);
+    }
+
+    PackedStream append(byte[] more) {
         bytes.writeBytes(more);
+        return this;
     }
 
     int size() {

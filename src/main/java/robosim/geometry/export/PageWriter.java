@@ -18,6 +18,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.World;
 import robosim.geometry.world.shared.AtomicFileWriter;
@@ -99,9 +100,9 @@ public final class PageWriter {
      */
     public static void write(Scenario scenario, List<GeometryObject> goals, @Nullable World world, Path file)
             throws IOException {
-        new PageWriter(PageFilms.of(scenario, world == null ? Colours.NONE : Colours.of(world)))
+        new PageWriter(Replayer.film(scenario, Colours.of(world)))
                 .titled(scenario.header().title())
-                .described("", world == null ? "" : Pictures.unit(world))
+                .described("", Pictures.unit(world))
                 .withGoals(goals)
                 .openedAtEnd()
                 .write(file);

@@ -1,6 +1,5 @@
 package robosim.geometry.export;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -17,6 +16,8 @@ import java.util.Map;
  * array of bytes, floats or doubles.
  */
 final class RosTypes {
+    private static final byte[] BEGIN = {0, 1, 0, 0};
+
     private static final String SEPARATOR = "=".repeat(80);
 
     /**
@@ -102,12 +103,12 @@ final class RosTypes {
 
     /** A value of a type as bytes. */
     byte[] encode(String type, List<?> value) {
-        Bytes out = new Bytes();
+        PackedStream out = new PackedStream().append(BEGIN);
         message(type, value, out);
-        return out.finished();
+        return out.toBytes();
     }
 
-    private void message(String type, List<?> value, Bytes out) {
+    private void message(String type, List<?> value, PackedStream out) {
         List<Field> all = definition(type);
         if (value.size() != all.size()) {
             throw new IllegalArgumentException(
@@ -123,16 +124,16 @@ final class RosTypes {
         }
     }
 
-    private void array(Field field, Object value, Bytes out) {
+    private void array(Field field, Object value, PackedStream out) {
         int size = size(value);
         if (field.count == 0) {
-            out.number(size, 4);
+            number(size, 4, out);
         } else if (size != field.count) {
             throw new IllegalArgumentException(
                     field.name + " must have " + field.count + " elements (got: " + size + ")");
         }
         if (value instanceof byte[] bytes) {
-            out.bytes(bytes);
+            out.append(bytes);
         } else if (value instanceof float[] floats) {
             for (float each : floats) {
                 single(field.type, each, out);
@@ -158,52 +159,31 @@ final class RosTypes {
         return array instanceof double[] doubles ? doubles.length : ((List<?>) array).size();
     }
 
-    private void single(String type, Object value, Bytes out) {
+    private void single(String type, Object value, PackedStream out) {
         switch (type) {
-            case "bool" -> out.number((Boolean) value ? 1 : 0, 1);
-            case "int8", "uint8" -> out.number(((Number) value).longValue(), 1);
-            case "int16", "uint16" -> out.number(((Number) value).longValue(), 2);
-            case "int32", "uint32" -> out.number(((Number) value).longValue(), 4);
-            case "float32" -> out.number(Float.floatToRawIntBits(((Number) value).floatValue()), 4);
-            case "float64" -> out.number(Double.doubleToRawLongBits(((Number) value).doubleValue()), 8);
-            case "string" -> out.text((String) value);
+            case "bool" -> number((Boolean) value ? 1 : 0, 1, out);
+            case "int8", "uint8" -> number(((Number) value).longValue(), 1, out);
+            case "int16", "uint16" -> number(((Number) value).longValue(), 2, out);
+            case "int32", "uint32" -> number(((Number) value).longValue(), 4, out);
+            case "float32" -> number(Float.floatToRawIntBits(((Number) value).floatValue()), 4, out);
+            case "float64" -> number(Double.doubleToRawLongBits(((Number) value).doubleValue()), 8, out);
+            case "string" -> text((String) value, out);
             default -> message(type, (List<?>) value, out);
         }
     }
 
-    /** Each number is aligned to its own size, counted from after the four bytes that begin a message. */
-    private static final class Bytes {
-        private static final byte[] BEGIN = {0, 1, 0, 0};
-
-        private final ByteArrayOutputStream out = new ByteArrayOutputStream();
-
-        private Bytes() {
-            out.writeBytes(BEGIN);
+    /** A number, aligned to its own size, counted from after the four bytes that begin a message. */
+    private static void number(long bits, int size, PackedStream out) {
+        while ((out.size() - BEGIN.length) % size != 0) {
+            out.octet(0);
         }
+        out.number(bits, size);
+    }
 
-        private void number(long bits, int size) {
-            while ((out.size() - BEGIN.length) % size != 0) {
-                out.write(0);
-            }
-            for (int k = 0; k < size; k++) {
-                out.write((int) (bits >>> (8 * k)));
-            }
-        }
-
-        private void bytes(byte[] more) {
-            out.writeBytes(more);
-        }
-
-        /** A text's length counts the zero at its end. */
-        private void text(String text) {
-            byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
-            number(utf8.length + 1L, 4);
-            out.writeBytes(utf8);
-            out.write(0);
-        }
-
-        private byte[] finished() {
-            return out.toByteArray();
-        }
+    /** A text's length counts the zero at its end. */
+    private static void text(String text, PackedStream out) {
+        byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
+        number(utf8.length + 1L, 4, out);
+        out.append(utf8).octet(0);
     }
 }

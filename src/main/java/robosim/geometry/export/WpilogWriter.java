@@ -2,8 +2,6 @@ package robosim.geometry.export;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -40,14 +38,11 @@ final class WpilogWriter implements MessageSink {
     WpilogWriter(OutputStream out, long epoch) throws IOException {
         this.out = out;
         this.epoch = epoch;
-        byte[] library = "robosim-geometry".getBytes(StandardCharsets.UTF_8);
-        byte[] header = new byte[12 + library.length];
-        little(header)
-                .put("WPILOG".getBytes(StandardCharsets.UTF_8))
-                .putShort((short) VERSION)
-                .putInt(library.length)
-                .put(library);
-        out.write(header);
+        out.write(new PackedStream()
+                .append("WPILOG".getBytes(StandardCharsets.UTF_8))
+                .number(VERSION, 2)
+                .longText("robosim-geometry")
+                .toBytes());
         for (Map.Entry<String, String> schema : SCHEMAS.entrySet()) {
             int entry = entry("/.schema/struct:" + schema.getKey(), "structschema", 0);
             record(entry, 0, schema.getValue().getBytes(StandardCharsets.UTF_8));
@@ -111,15 +106,19 @@ final class WpilogWriter implements MessageSink {
 
     private void scan(String topic, List<?> scan, long micros) throws IOException {
         float[] ranges = (float[]) scan.get(8);
-        byte[] bytes = new byte[4 * ranges.length];
-        little(bytes).asFloatBuffer().put(ranges);
-        record(entry(topic, "float[]", micros), micros, bytes);
+        PackedStream bytes = new PackedStream();
+        for (float range : ranges) {
+            bytes.number(Float.floatToRawIntBits(range), Float.BYTES);
+        }
+        record(entry(topic, "float[]", micros), micros, bytes.toBytes());
     }
 
     private void send(String name, String type, long micros, double... numbers) throws IOException {
-        byte[] bytes = new byte[8 * numbers.length];
-        little(bytes).asDoubleBuffer().put(numbers);
-        record(entry(name, type, micros), micros, bytes);
+        PackedStream bytes = new PackedStream();
+        for (double number : numbers) {
+            bytes.exact(number);
+        }
+        record(entry(name, type, micros), micros, bytes.toBytes());
     }
 
     /** An entry's number; it is started at its first value. */
@@ -130,30 +129,19 @@ final class WpilogWriter implements MessageSink {
         }
         int entry = entries.size() + 1;
         entries.put(name, entry);
-        byte[] nameBytes = name.getBytes(StandardCharsets.UTF_8);
-        byte[] typeBytes = type.getBytes(StandardCharsets.UTF_8);
-        byte[] start = new byte[17 + nameBytes.length + typeBytes.length];
-        little(start)
-                .put((byte) 0)
-                .putInt(entry)
-                .putInt(nameBytes.length)
-                .put(nameBytes)
-                .putInt(typeBytes.length)
-                .put(typeBytes)
-                .putInt(0);
-        record(0, micros, start);
+        PackedStream start = new PackedStream().number(0, 1).number(entry, 4);
+        record(0, micros, start.longText(name).longText(type).number(0, 4).toBytes());
         return entry;
     }
 
     private void record(int entry, long micros, byte[] payload) throws IOException {
-        byte[] head = new byte[17];
-        little(head).put((byte) WIDTHS).putInt(entry).putInt(payload.length).putLong(micros);
-        out.write(head);
-        out.write(payload);
-    }
-
-    private static ByteBuffer little(byte[] bytes) {
-        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        out.write(new PackedStream()
+                .number(WIDTHS, 1)
+                .number(entry, 4)
+                .number(payload.length, 4)
+                .number(micros, 8)
+                .append(payload)
+                .toBytes());
     }
 
     private static List<?> list(List<?> value, int index) {

@@ -2,8 +2,7 @@ package robosim.geometry.index;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.BeamAxis;
-import robosim.geometry.index.quadtree.NearestFirst;
-import robosim.geometry.index.quadtree.SectorSearch;
+import robosim.geometry.index.quadtree.RegionSearch;
 import robosim.geometry.index.tiles.NearGrid;
 import robosim.geometry.index.tiles.NearTarget;
 import robosim.geometry.index.tiles.TileGathering;
@@ -32,8 +31,7 @@ public final class QuadCursor {
 
     private final QuadTree tree;
     private final TileLayers layers;
-    private final NearestFirst ordered = new NearestFirst();
-    private final SectorSearch sector = new SectorSearch();
+    private final RegionSearch regions = new RegionSearch();
     private final TileWalk walk;
     private final TileScan scan;
     private final TileWalk.Line line = new TileWalk.Line();
@@ -41,8 +39,11 @@ public final class QuadCursor {
     private final TileGathering gathering = new TileGathering();
     private int layer;
 
-    /** Whether the ray query runs over the regions, in order of distance. */
-    private boolean isInOrder;
+    /** Whether the ray query goes through all objects, as its numbers are beyond what tiles are made for. */
+    private boolean isOfAll;
+
+    /** The next object then. */
+    private int each;
 
     /** Whether the ray query has layers left. */
     private boolean hasMore;
@@ -63,7 +64,7 @@ public final class QuadCursor {
 
     /** Number of regions that this cursor has examined since it was made. */
     public long visited() {
-        return ordered.visited() + sector.visited() + walk.visited() + scan.visited();
+        return regions.visited() + walk.visited() + scan.visited();
     }
 
     /** Starts a query for all objects whose boxes meet this closed box; {@link #next()} returns them. */
@@ -183,18 +184,17 @@ public final class QuadCursor {
         tree.settle();
         line.start(ox, oz, dx, dz, tree.most);
         layer = 0;
-        isInOrder = false;
+        isOfAll = false;
         hasMore = false;
         if (!line.isOrdinary()) {
-            startInOrder();
+            startAll();
         } else if (!walkOn()) {
             walk.stop();
         }
     }
 
     /**
-     * Goes to the next layer, or to all objects in order of distance if the ray is too far from that layer; false after
-     * the last layer.
+     * Goes to the next layer, or to all objects if the ray is too far from that layer; false after the last layer.
      */
     private boolean walkOn() {
         Tiles tiles = nextLayer();
@@ -203,15 +203,24 @@ public final class QuadCursor {
         }
         hasMore = hasLayer();
         if (!walk.start(tiles)) {
-            startInOrder();
+            startAll();
         }
         return true;
     }
 
-    private void startInOrder() {
-        isInOrder = true;
-        tree.growRegions();
-        ordered.startRay(tree.regions, line.ox(), line.oz(), line.dx(), line.dz(), Double.POSITIVE_INFINITY);
+    private void startAll() {
+        isOfAll = true;
+        each = 0;
+    }
+
+    private int nextOfAll() {
+        while (each < tree.limit) {
+            int id = each++;
+            if (tree.contains(id)) {
+                return id;
+            }
+        }
+        return -1;
     }
 
     /**
@@ -221,8 +230,8 @@ public final class QuadCursor {
      * @param limit at least 0; may be infinite, and may shrink from call to call
      */
     public int nextOnRay(double limit, double[] outlines) {
-        if (isInOrder) {
-            return ordered.next(tree.regions, tree.boxes, limit);
+        if (isOfAll) {
+            return nextOfAll();
         }
         int id = walk.next(limit, outlines);
         return id == Tiles.NONE && hasMore ? nextFarther(limit, outlines) : id;
@@ -231,8 +240,8 @@ public final class QuadCursor {
     private int nextFarther(double limit, double[] outlines) {
         int id = Tiles.NONE;
         while (id == Tiles.NONE && walkOn()) {
-            if (isInOrder) {
-                return ordered.next(tree.regions, tree.boxes, limit);
+            if (isOfAll) {
+                return nextOfAll();
             }
             id = walk.next(limit, outlines);
         }
@@ -240,38 +249,34 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts a query for all objects whose boxes are within a distance of a point, nearest first; {@link #next(double)}
-     * returns them.
+     * Starts a query for all objects around a point, nearest first; {@link #next(double)} returns them.
      *
-     * @param limit at least 0; may be infinite
      * @throws IllegalArgumentException if the point is not finite
      */
-    public void startPoint(double x, double z, double limit) {
+    public void startPoint(double x, double z) {
         tree.growRegions();
-        ordered.startPoint(tree.regions, x, z, limit);
+        regions.start(tree.regions, x, z);
     }
 
     /**
      * Starts a query for all objects whose boxes the sector about a level beam may meet, in the order of how far they are within
-     * the sector, or less; {@link #nextInSector} returns them.
+     * the sector, or less; {@link #next(double)} returns them.
      */
     public void startSector(BeamAxis beam) {
         tree.growRegions();
-        sector.start(tree.regions, beam, tree.most);
+        regions.start(tree.regions, beam, tree.most);
     }
 
-    /** The next object of a sector query within the limit, which may shrink from call to call; -1 after the last. */
-    public int nextInSector(double limit) {
-        return sector.next(tree.regions, tree.boxes, limit);
-    }
-
-    /** The next object of a point query within the limit, which may shrink from call to call; -1 after the last. */
+    /**
+     * The next object of a point or sector query within the limit, which may be infinite, and may shrink from call to call; -1
+     * after the last.
+     */
     public int next(double limit) {
-        return ordered.next(tree.regions, tree.boxes, limit);
+        return regions.next(tree.regions, tree.boxes, limit);
     }
 
-    /** A lower bound, rounded down, of the distance of the object last returned by a point query. */
+    /** A lower bound, to some 2^-20 of it, of the distance of the object last returned by a point query. */
     public double entry() {
-        return ordered.entry();
+        return regions.entry();
     }
 }

@@ -39,7 +39,7 @@ public final class QuadTree {
     private boolean[] listed;
 
     /** The greatest id so far, plus one. */
-    private int limit;
+    int limit;
 
     private int size;
 

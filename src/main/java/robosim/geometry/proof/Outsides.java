@@ -68,7 +68,7 @@ final class Outsides {
             for (int[] solid : ScenePieces.solids(objects.get(object), rows.first[object])) {
                 for (int i = 0; i < course.rows.length; i++) {
                     if (!isClear(course, new int[] {i, i + 1}, solid)) {
-                        Point ray = direction(first(course.rows[i]), scene(solid), 0);
+                        Point ray = direction(first(course.rows[i]), rows.exact(solid), 0);
                         if (ray == null) {
                             return "piece " + i + " of the body was not seen outside solid mesh " + solid[0];
                         }
@@ -93,14 +93,6 @@ final class Outsides {
 
     private static Vec first(double[] row) {
         return Vec.of(row[0], row[1], row[2]);
-    }
-
-    private List<Piece> scene(int[] range) {
-        List<Piece> pieces = new ArrayList<>();
-        for (int j = range[0]; j < range[1]; j++) {
-            pieces.add(rows.exact(j));
-        }
-        return pieces;
     }
 
     private static List<Piece> body(Course course, int[] range) {

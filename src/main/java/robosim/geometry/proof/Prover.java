@@ -260,7 +260,7 @@ public final class Prover {
         for (int[] solid : ScenePieces.solids(scene.objects().get(other), rows.first[other])) {
             for (int i = 0; i < mine.size(); i++) {
                 Vec start = mine.get(i).c.plus(Vec.of(d[0], d[1], d[2]));
-                Point ray = Outsides.direction(start, exact(solid), 1);
+                Point ray = Outsides.direction(start, rows.exact(solid), 1);
                 if (ray != null) {
                     return new Contact(i, solid[0], Form.INSIDE, List.of(), ray, List.of());
                 }
@@ -276,14 +276,6 @@ public final class Prover {
             }
         }
         return null;
-    }
-
-    private List<Piece> exact(int[] range) {
-        List<Piece> pieces = new ArrayList<>();
-        for (int j = range[0]; j < range[1]; j++) {
-            pieces.add(rows.exact(j));
-        }
-        return pieces;
     }
 
     private boolean leaves(GeometryObject body, Point displacement, double at) {
@@ -320,7 +312,7 @@ public final class Prover {
         for (int[] solid : isFlat
                 ? List.<int[]>of()
                 : ScenePieces.solids(scene.objects().get(claim.other()), rows.first[claim.other()])) {
-            Point ray = claim.low() == 0 ? Outsides.direction(start, exact(solid), 1) : null;
+            Point ray = claim.low() == 0 ? Outsides.direction(start, rows.exact(solid), 1) : null;
             if (ray != null) {
                 return new Contact(0, solid[0], Form.INSIDE, List.of(), ray, List.of());
             }

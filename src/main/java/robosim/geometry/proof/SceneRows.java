@@ -56,12 +56,12 @@ final class SceneRows {
         return made;
     }
 
-    int objectOf(int piece) {
-        int at = Arrays.binarySearch(first, piece);
-        int object = at >= 0 ? at : -at - 2;
-        while (first[object + 1] == first[object]) {
-            object++;
+    /** The pieces from one on to before another. */
+    List<Piece> exact(int[] range) {
+        List<Piece> pieces = new ArrayList<>();
+        for (int j = range[0]; j < range[1]; j++) {
+            pieces.add(exact(j));
         }
-        return object;
+        return pieces;
     }
 }

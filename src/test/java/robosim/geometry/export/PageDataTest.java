@@ -39,7 +39,9 @@ import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.Talk;
+import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Frame;
+import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.WorldReader;
@@ -172,7 +174,7 @@ class PageDataTest {
     @ParameterizedTest
     @MethodSource("scenarios")
     void everyStoredScenarioIsToldAsItWas(Path file) throws IOException {
-        StateHistory film = PageFilms.of(Scenario.read(file));
+        StateHistory film = Replayer.film(Scenario.read(file), Colours.NONE);
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(page.frames).isEqualTo(film.size());
         assertThat(compared(film, 0, page)).isLessThanOrEqualTo(0.5 + 1e-6);
@@ -268,7 +270,7 @@ class PageDataTest {
                 robosim.geometry.model.Accuracy.EXACT,
                 List.of(),
                 List.of(new Scene.Thing(robot, null)));
-        film.append(Frame.of(setting, "begins"));
+        film.append(opening(setting, "begins"));
         Pose there =
                 robot.movedTo(new Point(-0.4 * size, 0.2 * size, 0.4 * size)).pose();
         film.append(new Frame(null, Map.of("robot", there), List.of(), Map.of(), "", List.of(), null));
@@ -277,11 +279,15 @@ class PageDataTest {
         assertThat(size / page.unit).isGreaterThan(16).isLessThanOrEqualTo(32);
     }
 
+    private static Frame opening(Frame.Setting setting, String words) {
+        return new Frame(setting, Map.of(), List.of(), Map.of(), words, List.of(), null);
+    }
+
     @Test
     void theObjectsOfAllKinds() {
         List<GeometryObject> kinds = Pages.kinds();
         StateHistory film = new StateHistory();
-        film.append(Frame.of(
+        film.append(opening(
                 Frame.Setting.of(new robosim.geometry.world.World(
                         20,
                         4,
@@ -313,7 +319,7 @@ class PageDataTest {
     /** Of its own file, with its colours; and the sonars of its robots. */
     @Test
     void aWorldShowsWhatItsSonarsMeasure() throws IOException {
-        StateHistory film = PageFilms.of(WorldReader.read(Path.of("worlds", "rooms.xml")));
+        StateHistory film = StateHistory.of(WorldReader.read(Path.of("worlds", "rooms.xml")));
         DecodedPage page = DecodedPage.of(data(film));
         assertThat(page.chapters.get(0).scans)
                 .hasSize(8)
@@ -327,7 +333,7 @@ class PageDataTest {
     void thePagesProgramAgrees(@TempDir Path folder) throws Exception {
         Assumptions.assumeTrue(Program.find("node").isPresent(), "no node on the path, which runs the page's program");
         List<StateHistory> films = List.of(
-                PageFilms.of(Scenario.read(Path.of("worlds", "scenarios", "wandering.scenario.jsonl"))),
+                Replayer.film(Scenario.read(Path.of("worlds", "scenarios", "wandering.scenario.jsonl")), Colours.NONE),
                 Pages.film(Pages.wander(60, 12, 1000, true, new SplittableRandom(4))),
                 Pages.film(Pages.tumble(300, new SplittableRandom(5))));
         Path script = Path.of("src/test/resources/robosim/geometry/export/decode.js");

@@ -193,14 +193,14 @@ public class QuadTreeTest {
             double limit = random.nextInt(4) == 0 ? 0 : random.nextDouble(scene == Scene.OUTSIDE ? 1e8 : 300);
             double last = 0;
             BitSet ids = new BitSet();
-            cursor.startPoint(at[0], at[1], limit);
+            cursor.startPoint(at[0], at[1]);
             for (int id = cursor.next(limit); id >= 0; id = cursor.next(limit)) {
                 ids.set(id);
                 assertThat(cursor.entry()).isBetween(last, limit);
                 last = cursor.entry();
                 BigDecimal truth = Entry.squareOfDistance(at[0], at[1], boxes[id]);
                 assertThat(new BigDecimal(last).pow(2)).isLessThanOrEqualTo(truth);
-                assertThat(last * (1 + 1e-14) + 1e-300).isGreaterThan(Math.sqrt(truth.doubleValue()));
+                assertThat(last * (1 + 0x1p-19) + 1e-300).isGreaterThan(Math.sqrt(truth.doubleValue()));
             }
             for (int id = 0; id < boxes.length; id++) {
                 if (boxes[id] != null
@@ -240,7 +240,7 @@ public class QuadTreeTest {
             cursor.startSector(
                     new BeamAxis().line(at[0], 0, at[1], ux, 0, uz).widen(Degrees.cos(half), Degrees.sin(half)));
             BitSet ids = new BitSet();
-            for (int id = cursor.nextInSector(limit); id >= 0; id = cursor.nextInSector(limit)) {
+            for (int id = cursor.next(limit); id >= 0; id = cursor.next(limit)) {
                 assertThat(ids.get(id)).isFalse();
                 ids.set(id);
             }
@@ -287,7 +287,7 @@ public class QuadTreeTest {
             BeamAxis beam = new BeamAxis().line(0, 0, 0, Degrees.cos(aim), 0, Degrees.sin(aim));
             cursor.startSector(beam.widen(Degrees.cos(7.5), Degrees.sin(7.5)));
             double limit = 1000;
-            for (int id = cursor.nextInSector(limit); id >= 0; id = cursor.nextInSector(limit)) {
+            for (int id = cursor.next(limit); id >= 0; id = cursor.next(limit)) {
                 double[] b = Arrays.copyOfRange(cursor.boxes(), 6 * id, 6 * id + 6);
                 double middle = (b[0] + b[3]) / 2 * Degrees.cos(aim) + (b[2] + b[5]) / 2 * Degrees.sin(aim);
                 limit = Math.min(limit, middle + 1);
@@ -512,7 +512,7 @@ public class QuadTreeTest {
             double z = (i * 91) % 1000 - WORLD;
             cursor.startRay(x, z, i % 7 - 3, i % 5 + 1);
             while (cursor.nextOnRay(1000, outlines) >= 0) {}
-            cursor.startPoint(x, z, 100);
+            cursor.startPoint(x, z);
             while (cursor.next(100) >= 0) {}
             cursor.startBox(x, z, x + 50, z + 50);
             while (cursor.next() >= 0) {}

@@ -14,6 +14,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.SplittableRandom;
@@ -62,7 +63,7 @@ class RosMapReaderTest {
     }
 
     private static OccupancyGrid grid(Path yaml) throws FileProblem {
-        return MapFiles.grid(yaml, MapFiles.settings(yaml));
+        return MapFiles.grid(yaml, MapFiles.settings(yaml), new ArrayList<>());
     }
 
     /** The rows of an image, walls as #. */

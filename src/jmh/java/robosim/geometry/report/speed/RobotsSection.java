@@ -6,13 +6,13 @@ import java.util.OptionalDouble;
 import robosim.geometry.chart.Figure;
 import robosim.geometry.chart.LinearAxis;
 import robosim.geometry.chart.Marker;
-import robosim.geometry.chart.NamesAxis;
 import robosim.geometry.chart.Panel;
 import robosim.geometry.chart.Series;
 import robosim.geometry.chart.Series.Dot;
 import robosim.geometry.chart.Series.Line;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.report.chart.NamesAxis;
 
 /** Steps a second of many robots. */
 final class RobotsSection {

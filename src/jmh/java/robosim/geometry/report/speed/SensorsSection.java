@@ -6,7 +6,6 @@ import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import robosim.geometry.chart.Figure;
 import robosim.geometry.chart.Marker;
-import robosim.geometry.chart.NamesAxis;
 import robosim.geometry.chart.Panel;
 import robosim.geometry.chart.Series;
 import robosim.geometry.chart.Series.Dot;
@@ -14,6 +13,7 @@ import robosim.geometry.chart.Series.Line;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.report.chart.Decades;
 import robosim.geometry.report.chart.LogAxis;
+import robosim.geometry.report.chart.NamesAxis;
 
 /** Sensors, pictures, the window and the page, beside what they are to reach. */
 final class SensorsSection {

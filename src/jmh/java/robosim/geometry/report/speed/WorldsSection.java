@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import robosim.geometry.chart.Figure;
-import robosim.geometry.chart.NamesAxis;
 import robosim.geometry.chart.Panel;
 import robosim.geometry.chart.Series;
 import robosim.geometry.chart.Series.Dot;
@@ -13,6 +12,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.report.chart.Decades;
 import robosim.geometry.report.chart.LogAxis;
+import robosim.geometry.report.chart.NamesAxis;
 
 /** What the levels and dimensions take and give in the worlds of files. */
 final class WorldsSection {

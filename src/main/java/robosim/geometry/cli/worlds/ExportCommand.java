@@ -20,12 +20,10 @@ import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.export.PageFilms;
 import robosim.geometry.export.PageWriter;
 import robosim.geometry.export.RosRecording;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.scenario.source.StepReader;
-import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.World;
@@ -117,7 +115,7 @@ public final class ExportCommand implements Callable<Integer> {
                 throw new UsageException("--world is for a recording, and FILE is a world (got: " + colours + ")");
             }
             World world = files.world(file);
-            write(new PageWriter(PageFilms.of(world)).described("", Pictures.unit(world)), 0);
+            write(new PageWriter(StateHistory.of(world)).described("", Pictures.unit(world)), 0);
         }
         return ExitCodes.FINE;
     }
@@ -140,11 +138,7 @@ public final class ExportCommand implements Callable<Integer> {
     }
 
     private void recording(@Nullable World lender, StepRange range) throws IOException {
-        StateHistory film;
-        try (StepReader reader = WireFiles.recording(file);
-                Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
-            film = PageFilms.of(reader, lender == null ? Colours.NONE : Colours.of(lender), progress::at);
-        }
+        StateHistory film = RecordingOptions.read(spec, file, lender);
         if (film.size() == 0) {
             throw new UsageException("FILE must have a step (got: none in " + file + ")");
         }
@@ -161,9 +155,7 @@ public final class ExportCommand implements Callable<Integer> {
             throw new UsageException("FILE must begin with a world (got: none before its step " + (first + 1) + ")");
         }
         String words = NumberText.count(end - first, "step");
-        write(
-                new PageWriter(film).ofSteps(first, end).described(words, lender == null ? "" : Pictures.unit(lender)),
-                end - first);
+        write(new PageWriter(film).ofSteps(first, end).described(words, Pictures.unit(lender)), end - first);
     }
 
     private void write(PageWriter writer, int count) throws IOException {

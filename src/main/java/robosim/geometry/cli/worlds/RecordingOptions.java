@@ -6,22 +6,18 @@ import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
-import robosim.geometry.export.PageFilms;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.playback.Colours;
+import robosim.geometry.viewer.playback.Replayer;
 import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.world.World;
 
 /** Which steps of a recording are pictures. */
 public final class RecordingOptions {
-    @Spec(Spec.Target.MIXEE)
-    private CommandSpec spec;
-
     @Option(
             names = "--steps",
             paramLabel = "FIRST-LAST",
@@ -49,27 +45,29 @@ public final class RecordingOptions {
     }
 
     /** Reads a recording; the lender, if there is one, lends the colours of its objects. */
-    StateHistory read(Path file, @Nullable World lender) throws IOException {
-        Colours colours = lender == null ? Colours.NONE : Colours.of(lender);
+    static StateHistory read(CommandSpec spec, Path file, @Nullable World lender) throws IOException {
         try (StepReader reader = WireFiles.recording(file);
                 Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
-            return PageFilms.of(reader, colours, progress::at);
+            return Replayer.film(reader, Colours.of(lender), progress::at);
         }
+    }
+
+    /** The first step of a history that has a world. */
+    static int first(StateHistory film, String parameter, Path file) {
+        for (int first = film.first(); first < film.size(); first++) {
+            if (film.world(first) >= 0) {
+                return first;
+            }
+        }
+        throw new UsageException(parameter + " must be a recording with a world (got: none in " + file + ")");
     }
 
     /** The numbers of the frames to show, in order; each has a world. */
     int[] frames(StateHistory film, Path file) {
         StepRange range = StepRange.of(steps);
         Arguments.refuse(every < 1, "--every must be at least 1", every);
-        int first = film.first();
-        while (first < film.size() && film.world(first) < 0) {
-            first++;
-        }
-        if (first >= film.size()) {
-            throw new UsageException("WORLD must be a recording with a world (got: none in " + file + ")");
-        }
-        StepRange shown = range.within(first, film.size());
-        first = shown.first();
+        StepRange shown = range.within(first(film, "WORLD", file), film.size());
+        int first = shown.first();
         int end = shown.end();
         int[] frames = new int[(end - first + every - 1) / every];
         for (int k = 0; k < frames.length; k++) {

@@ -213,7 +213,7 @@ public final class RenderCommand implements Callable<Integer> {
     /** A picture of each step of a recording; an orbit goes once around while it is played. */
     private void film(boolean isPlan) throws IOException, WorldException {
         World lender = colours == null ? null : world.other("--world", colours);
-        StateHistory film = recording.read(world.file(), lender);
+        StateHistory film = RecordingOptions.read(spec, world.file(), lender);
         int[] frames = recording.frames(film, world.file());
         if (slice != null) {
             for (int frame : frames) {
@@ -222,7 +222,7 @@ public final class RenderCommand implements Callable<Integer> {
         }
         Camera camera = isPlan ? null : new Camera(moment(film, frames[0]));
         double metres = metres(lender);
-        String unit = lender == null ? "" : Pictures.unit(lender);
+        String unit = Pictures.unit(lender);
         if (isFilm()) {
             try (Progress progress = Progress.of(spec.commandLine(), "rendering", frames.length)) {
                 writeFilm(frames.length, k -> {
@@ -313,7 +313,7 @@ public final class RenderCommand implements Callable<Integer> {
 
     private void photograph(World read) throws IOException, WorldException {
         Camera camera = new Camera(read);
-        double metres = read.unit() == null ? 1 : read.unit().metres();
+        double metres = metres(read);
         int count = camera.pictures.size();
         if (isFilm()) {
             try (Progress progress = Progress.of(spec.commandLine(), "rendering", 100L * count)) {

@@ -19,13 +19,10 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.check.NumberText;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
-import robosim.geometry.cli.terminal.Progress;
 import robosim.geometry.cli.terminal.UsageException;
 import robosim.geometry.cli.terminal.WireFiles;
 import robosim.geometry.cli.terminal.WorldFiles;
-import robosim.geometry.export.PageFilms;
 import robosim.geometry.export.PageWriter;
-import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.scenario.source.WatchReader;
 import robosim.geometry.viewer.playback.Colours;
 import robosim.geometry.viewer.playback.Pictures;
@@ -107,9 +104,10 @@ public final class ViewCommand implements Callable<Integer> {
     private void watch(String host, int from) throws IOException {
         Arguments.port(from, 1);
         World lender = lender();
-        LiveFilm film = new LiveFilm(host + ":" + from, unit(lender));
+        LiveFilm film = new LiveFilm(host + ":" + from, Pictures.unit(lender));
         WatchReader.dial(host, from).close(); // a wrong address ends the command, and not only the page's hope
-        LiveSource source = new LiveSource(film, () -> WatchReader.dial(host, from), of(lender), connection -> {});
+        LiveSource source =
+                new LiveSource(film, () -> WatchReader.dial(host, from), Colours.of(lender), connection -> {});
         try (PageServer server = PageServer.live(address(), film, null)) {
             show(server);
         } finally {
@@ -142,20 +140,12 @@ public final class ViewCommand implements Callable<Integer> {
 
     private PageWriter recording(Path file) throws IOException {
         World lender = lender();
-        StateHistory film;
-        try (StepReader reader = WireFiles.recording(file);
-                Progress progress = Progress.of(spec.commandLine(), "steps", 0)) {
-            film = PageFilms.of(reader, of(lender), progress::at);
-        }
-        int first = film.first();
-        while (first < film.size() && film.world(first) < 0) {
-            first++;
-        }
-        Arguments.refuse(first >= film.size(), "WHAT must be a recording with a world", "none in " + file);
+        StateHistory film = RecordingOptions.read(spec, file, lender);
+        int first = RecordingOptions.first(film, "WHAT", file);
         return new PageWriter(film)
                 .ofSteps(first, film.size())
                 .titled(Pictures.title(file))
-                .described(NumberText.count(film.size() - first, "step"), unit(lender));
+                .described(NumberText.count(film.size() - first, "step"), Pictures.unit(lender));
     }
 
     /** Prints the address, opens a browser, and waits until the command is ended. */
@@ -178,13 +168,5 @@ public final class ViewCommand implements Callable<Integer> {
 
     private @Nullable World lender() throws IOException {
         return colours == null ? null : files.world(Arguments.input("--world", colours));
-    }
-
-    private static Colours of(@Nullable World lender) {
-        return lender == null ? Colours.NONE : Colours.of(lender);
-    }
-
-    private static String unit(@Nullable World lender) {
-        return lender == null ? "" : Pictures.unit(lender);
     }
 }

@@ -245,9 +245,7 @@ public abstract class BeamSearch {
         double slack = slack(table);
         QuadCursor cursor = table.cursor;
         cursor.startSector(beam);
-        for (int local = cursor.nextInSector(loose(reach, slack));
-                local >= 0;
-                local = cursor.nextInSector(loose(reach, slack))) {
+        for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
             if (id != ignored && !table.overlaps(id, done)) {
                 reach = hit(table, id, reach);

@@ -192,7 +192,7 @@ public final class ConeCandidates {
     private void start(LeafTable table) {
         SpaceIndex space = table.space;
         if (space == null) {
-            table.cursor.startPoint(ox, oz, limit);
+            table.cursor.startPoint(ox, oz);
         } else {
             space.nearest.around(ox, oy, oz);
             space.nearest.start(space.still, space.moving);

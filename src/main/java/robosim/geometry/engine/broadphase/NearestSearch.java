@@ -69,7 +69,7 @@ public final class NearestSearch {
             LeafTable table, double x, double z, double radius, double sizes, double limit, int ignored) {
         double reach = limit;
         QuadCursor cursor = table.cursor;
-        cursor.startPoint(x, z, Distance.reach(reach, sizes) + radius);
+        cursor.startPoint(x, z);
         for (int local = cursor.next(Distance.reach(reach, sizes) + radius);
                 local >= 0;
                 local = cursor.next(Distance.reach(reach, sizes) + radius)) {

@@ -190,9 +190,9 @@ public final class PacketSearch {
         double slack = 0x1p-44 * (table.extent + Math.abs(ox) + Math.abs(oz));
         QuadCursor tree = table.cursor;
         tree.startSector(fan.sector());
-        for (int local = tree.nextInSector(BeamSearch.loose(reach, slack));
+        for (int local = tree.next(BeamSearch.loose(reach, slack));
                 local >= 0;
-                local = tree.nextInSector(BeamSearch.loose(reach, slack))) {
+                local = tree.next(BeamSearch.loose(reach, slack))) {
             int id = local | table.mark;
             if (id != ignored) {
                 hit(view, table, id);

@@ -1,6 +1,6 @@
 package robosim.geometry.index.hierarchy;
 
-import robosim.geometry.index.quadtree.EntryQueue;
+import robosim.geometry.index.quadtree.LongHeap;
 
 /** Visits the objects of two hierarchies around a point in the order of the distances of their bounds. */
 public final class NearestCursor {
@@ -9,6 +9,9 @@ public final class NearestCursor {
 
     /** Rounds up the square of a limit by more than the squares of distances are off. */
     private static final double UP = 1 + 0x1p-48;
+
+    /** The upper half of an entry. */
+    private static final long KEY = -1L << Integer.SIZE;
 
     /** The bit that is set in the links of the second hierarchy. */
     private static final int SECOND = 1 << 29;
@@ -19,11 +22,11 @@ public final class NearestCursor {
     private double y;
     private double z;
 
-    /** The square of the distance of the last object's bounds. */
-    private double square;
+    /** The last object, by the square of the distance of its bounds. */
+    private long last;
 
-    /** Links by the squares of the distances of their bounds. */
-    private final EntryQueue queue = new EntryQueue();
+    /** Links, by the upper halves of the bits of the squares of the distances of their bounds. */
+    private final LongHeap queue = new LongHeap();
 
     /** Asks for what is around a point. */
     public void around(double px, double py, double pz) {
@@ -46,18 +49,19 @@ public final class NearestCursor {
     private void push(Hierarchy tree, int mark) {
         tree.settle();
         if (tree.size() > 0) {
-            queue.push(0, mark);
+            queue.push(mark);
         }
     }
 
     /** The next object whose bounds are within a limit; -1 after the last. The limit may shrink from call to call. */
     public int next(double limit) {
         double most = limit * limit * UP + Double.MIN_NORMAL;
-        while (!queue.isEmpty() && queue.leastKey() <= most) {
-            double key = queue.leastKey();
-            int link = queue.pop();
+        long within = Double.doubleToRawLongBits(most) | ~KEY;
+        while (!queue.isEmpty() && queue.least() <= within) {
+            long nearest = queue.pop();
+            int link = (int) nearest;
             if (link < 0) {
-                square = key;
+                last = nearest;
                 return link & ~(Integer.MIN_VALUE | SECOND);
             }
             open((link & SECOND) == 0 ? first : second, link & ~SECOND, link & SECOND, most);
@@ -65,8 +69,9 @@ public final class NearestCursor {
         return -1;
     }
 
-    /** A lower bound of how far the last object is, and all that follow. */
+    /** A lower bound, to some 2^-20 of it, of how far the last object is, and all that follow. */
     public double entry() {
+        double square = Double.longBitsToDouble(last & KEY);
         return square < Double.MIN_NORMAL ? 0 : Math.sqrt(square) / UP;
     }
 
@@ -81,7 +86,8 @@ public final class NearestCursor {
             double far = dx * dx + dy * dy + dz * dz;
             // A child that is missing is infinitely far.
             if (far <= most && far < Double.POSITIVE_INFINITY) {
-                queue.push(far, Float.floatToRawIntBits(n[link]) | mark);
+                int child = Float.floatToRawIntBits(n[link]) | mark;
+                queue.push((Double.doubleToRawLongBits(far) & KEY) | (child & ~KEY));
             }
         }
     }

@@ -31,10 +31,14 @@ public final class RayCursor {
     /** A relative error of a few roundings to float. */
     private static final double ROUNDED = 0x1p-21;
 
+    /** A box that all bounds meet, but for those of a missing child. */
+    private static final double[] EVERYWHERE = {
+        -Float.MAX_VALUE, -Float.MAX_VALUE, -Float.MAX_VALUE, Float.MAX_VALUE, Float.MAX_VALUE, Float.MAX_VALUE
+    };
+
     private static final int WIDTH = Hierarchy.WIDTH;
     private static final int PART = Hierarchy.PART;
     private static final int LINKS = Hierarchy.LINKS;
-    private static final int NONE = Hierarchy.NONE;
 
     /** More than any key; its lower half is below 0, as of an object. */
     private static final long MISSED = Long.MAX_VALUE;
@@ -47,7 +51,10 @@ public final class RayCursor {
     private long[] stack = new long[Hierarchy.STACK];
 
     private int depth;
+    /** Whether coordinates are beyond what floats can tell apart, so that every object is visited. */
     private boolean isWhole;
+
+    private final BoxCursor all = new BoxCursor();
 
     // The inverse direction; and for each axis what gives the parameter of the near and of the far plane when it is
     // added to
@@ -99,6 +106,9 @@ public final class RayCursor {
             tree = through;
         }
         through.settle();
+        if (isWhole) {
+            all.start(through, EVERYWHERE);
+        }
         stack[0] = 0;
         depth = through.size() == 0 ? 0 : 1;
     }
@@ -113,7 +123,7 @@ public final class RayCursor {
      */
     public int next(double limit) {
         if (isWhole) {
-            return nextOfAll();
+            return all.next();
         }
         int within = within(limit);
         float[] n = tree.nodes;
@@ -212,25 +222,5 @@ public final class RayCursor {
     private int within(double limit) {
         double most = limit * (1 + ROUNDED) + pad;
         return Float.floatToRawIntBits(most < Float.MAX_VALUE ? (float) most : Float.POSITIVE_INFINITY);
-    }
-
-    /** Every object, one after the other: where coordinates are beyond what floats can tell apart. */
-    private int nextOfAll() {
-        while (depth > 0) {
-            int link = (int) stack[--depth];
-            if (link < 0) {
-                return link & Integer.MAX_VALUE;
-            }
-            for (int k = 0; k < WIDTH; k++) {
-                int child = Float.floatToRawIntBits(tree.nodes[link * Hierarchy.STRIDE + LINKS + k]);
-                if (child != NONE) {
-                    if (depth == stack.length) {
-                        growStack();
-                    }
-                    stack[depth++] = child;
-                }
-            }
-        }
-        return -1;
     }
 }

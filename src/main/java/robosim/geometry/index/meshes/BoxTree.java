@@ -43,11 +43,11 @@ public final class BoxTree {
      */
     public BoxTree(double[] boxes) {
         BoxTreeBuilder builder = new BoxTreeBuilder(boxes);
-        nodes = builder.nodes();
-        order = builder.order();
-        bounds = builder.bounds();
-        origin = builder.origin();
-        scale = builder.scale();
+        nodes = builder.nodes;
+        order = builder.order;
+        bounds = builder.bounds;
+        origin = builder.origin;
+        scale = builder.scale;
         unit = 1 / scale;
         double sum = 0;
         for (double bound : bounds) {

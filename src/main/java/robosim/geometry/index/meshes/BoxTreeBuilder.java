@@ -12,13 +12,13 @@ final class BoxTreeBuilder {
     /** The greatest exponent of a scale, such that both the scale and its reciprocal are doubles. */
     private static final int MOST_EXPONENT = 1000;
 
-    private final int[] order;
-    private final double[] bounds = new double[6];
-    private final double[] origin = new double[3];
-    private final double scale;
+    final int[] order;
+    final double[] bounds = new double[6];
+    final double[] origin = new double[3];
+    final double scale;
 
     private final SurfaceAreaSplits splits;
-    private float[] nodes;
+    float[] nodes;
     private int count = 1;
     private final float[] range = new float[6];
 
@@ -78,26 +78,6 @@ final class BoxTreeBuilder {
     private static float up(double value) {
         float nearest = (float) value;
         return nearest < value ? Math.nextUp(nearest) : nearest;
-    }
-
-    float[] nodes() {
-        return nodes;
-    }
-
-    int[] order() {
-        return order;
-    }
-
-    double[] bounds() {
-        return bounds;
-    }
-
-    double[] origin() {
-        return origin;
-    }
-
-    double scale() {
-        return scale;
     }
 
     private void build(int node, int from, int to, int depth) {

@@ -1,4 +1,4 @@
-/** Trees over the boxes of a mesh's triangles, how boxes are split, and the keys by which queries in the plane order them. */
+/** Trees over the boxes of a mesh's triangles, and how boxes are split. */
 @NullMarked
 package robosim.geometry.index.meshes;
 

@@ -1,4 +1,4 @@
-/** Regions of the plane as a tree, queried nearest first. */
+/** Regions of the plane as a tree, searched nearest first. */
 @NullMarked
 package robosim.geometry.index.quadtree;
 

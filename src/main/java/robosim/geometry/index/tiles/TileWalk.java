@@ -73,22 +73,6 @@ public final class TileWalk {
             halfSquare = square > 0x1p-900 && square < 0x1p900 ? square / 2 : Double.POSITIVE_INFINITY;
         }
 
-        public double ox() {
-            return ox;
-        }
-
-        public double oz() {
-            return oz;
-        }
-
-        public double dx() {
-            return dx;
-        }
-
-        public double dz() {
-            return dz;
-        }
-
         /** Whether no product of a coordinate or a tile with the direction can overflow. */
         public boolean isOrdinary() {
             return aside < 0x1p960 && Math.abs(dx) + Math.abs(dz) < 0x1p600;

@@ -24,9 +24,10 @@ public final class Colours {
 
     private Colours() {}
 
-    public static Colours of(World world) {
+    /** Those of a world's objects; none without a world. */
+    public static Colours of(@Nullable World world) {
         Colours colours = new Colours();
-        for (Scene.Thing thing : things(world)) {
+        for (Scene.Thing thing : world == null ? List.<Scene.Thing>of() : things(world)) {
             String name = thing.object().name();
             Integer colour = thing.colour();
             if (colour != null && name != null) {

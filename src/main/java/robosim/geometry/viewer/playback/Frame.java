@@ -43,11 +43,6 @@ public record Frame(
     /** Letters of a step's words up to which commands without any time are added to it. */
     private static final int MOST_WORDS = 200;
 
-    /** A frame that only begins a world. */
-    public static Frame of(Setting opening, String words) {
-        return new Frame(opening, Map.of(), List.of(), Map.of(), words, List.of(), null);
-    }
-
     /** Whether nothing has moved yet: robots measured, or were given commands. */
     private boolean isBeforeMoves() {
         return opening == null && placed.isEmpty() && bumps.isEmpty();
@@ -140,10 +135,6 @@ public record Frame(
             Accuracy accuracy,
             List<Scene.Thing> statics,
             List<Scene.Thing> movers) {
-
-        public static Setting of(Geometry world) {
-            return of(world, Colours.NONE);
-        }
 
         /** The setting of a world in its present state, with the colours that a world file has for its objects. */
         public static Setting of(Geometry world, Colours colours) {

@@ -12,7 +12,6 @@ import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.scenario.Scenario;
-import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.draw.Painter;
 import robosim.geometry.viewer.draw.Theme;
@@ -35,10 +34,14 @@ public final class Pictures {
         Checks.present("world", world);
         Checks.present("title", title);
         List<Scene.Thing> things = Colours.things(world);
-        String subtitle = NumberText.count(things.size(), "object") + ", "
-                + world.dimension().name().toLowerCase(Locale.ROOT);
         Scene.View view = Scene.View.of(world.width(), world.length(), things);
-        return Scene.of(title, view, things).described(subtitle, unit(world));
+        return Scene.of(title, view, things).described(contents(world), unit(world));
+    }
+
+    /** What is in a world, in words. */
+    static String contents(World world) {
+        return NumberText.count(world.objects().size(), "object") + ", "
+                + world.dimension().name().toLowerCase(Locale.ROOT);
     }
 
     /** The scene of a world, with what the sonars of its robots measure there. */
@@ -49,9 +52,9 @@ public final class Pictures {
         return of(world, title).with(List.of(), pings, List.of());
     }
 
-    /** The name of the world unit for the scale bar; empty if unspecified. */
-    public static String unit(World world) {
-        Unit unit = world.unit();
+    /** The name of the world unit for the scale bar; empty if unspecified, or without a world. */
+    public static String unit(@Nullable World world) {
+        Unit unit = world == null ? null : world.unit();
         return unit == null ? "" : unit.symbol();
     }
 
@@ -87,11 +90,7 @@ public final class Pictures {
      * @param world the scene, whose objects move to their final places
      */
     public static Scene whole(StepReader conversation, Scene world) throws IOException {
-        StateHistory film = new StateHistory();
-        Replayer stage = new Replayer(conversation.header().options());
-        for (Step step = conversation.next(); step != null; step = conversation.next()) {
-            film.add(stage.play(step));
-        }
+        StateHistory film = Replayer.film(conversation, Colours.NONE, steps -> {});
         return film.over(world, film.size() - 1);
     }
 
@@ -99,16 +98,8 @@ public final class Pictures {
      * The end of a conversation: the robots at their final places, with the trails of their last steps, their last
      * distances and what blocked their last moves. The same conversation gives the same picture.
      */
-    public static Scene lastMoments(Scenario scenario) {
-        return lastMoments(scenario, Colours.NONE);
-    }
-
-    private static Scene lastMoments(Scenario scenario, Colours colours) {
-        StateHistory film = new StateHistory();
-        Replayer stage = new Replayer(scenario.header().options(), colours);
-        for (Step step : scenario.steps()) {
-            film.add(stage.play(step));
-        }
+    static Scene lastMoments(Scenario scenario, Colours colours) {
+        StateHistory film = Replayer.film(scenario, colours);
         return film.at(film.size() - 1, new StateHistory.Look(MOMENTS, MOMENTS))
                 .titled(scenario.header().title());
     }
@@ -172,13 +163,13 @@ public final class Pictures {
     }
 
     /**
-     * The end of a conversation, as in {@link #lastMoments(Scenario)}; of a large world only the part where it happened.
+     * The end of a conversation, as in {@link #lastMoments(Scenario, Colours)}; of a large world only the part where it happened.
      *
      * @param goals goals of robots, which the picture includes
      * @param world lends colours and a unit; null for none
      */
     public static Moments lastMoments(Scenario scenario, List<GeometryObject> goals, @Nullable World world) {
-        Scene scene = lastMoments(scenario, world == null ? Colours.NONE : Colours.of(world));
+        Scene scene = lastMoments(scenario, Colours.of(world));
         if (world != null) {
             scene = scene.described(scene.subtitle(), unit(world));
         }

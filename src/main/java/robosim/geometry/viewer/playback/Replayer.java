@@ -1,9 +1,11 @@
 package robosim.geometry.viewer.playback;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -35,8 +37,10 @@ import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldRequest;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.ContactAnswer;
+import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.recording.QuietLog;
+import robosim.geometry.scenario.source.StepReader;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.shared.ObjectNames;
 
@@ -65,6 +69,32 @@ public final class Replayer {
             }
         };
         this.session = new Session(options, listener, "viewer", new QuietLog());
+    }
+
+    /** The history of a conversation, in the colours of a world file's objects. */
+    public static StateHistory film(Scenario scenario, Colours colours) {
+        StateHistory film = new StateHistory();
+        Replayer stage = new Replayer(scenario.header().options(), colours);
+        for (Step step : scenario.steps()) {
+            film.add(stage.play(step));
+        }
+        return film;
+    }
+
+    /**
+     * That of a recorded conversation, of which the oldest part may be dropped where it is very long.
+     *
+     * @param progress called with the number of steps so far
+     */
+    public static StateHistory film(StepReader conversation, Colours colours, LongConsumer progress)
+            throws IOException {
+        StateHistory film = new StateHistory();
+        Replayer stage = new Replayer(conversation.header().options(), colours);
+        for (Step step = conversation.next(); step != null; step = conversation.next()) {
+            film.add(stage.play(step));
+            progress.accept(film.size());
+        }
+        return film;
     }
 
     /** Carries out a step and returns what it changed. */

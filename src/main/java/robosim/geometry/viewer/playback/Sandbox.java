@@ -57,12 +57,7 @@ public final class Sandbox {
         this.sonars = sonars;
     }
 
-    /** A separate world with the given moveable objects at their places. */
-    public static Sandbox of(Frame.Setting setting, List<Scene.Thing> movers) {
-        return of(setting, movers, WorldSonars.NONE);
-    }
-
-    /** A separate world, whose robots have sonars. */
+    /** A separate world with the given moveable objects at their places, which have sonars. */
     public static Sandbox of(Frame.Setting setting, List<Scene.Thing> movers, WorldSonars sonars) {
         Geometry geometry = empty(setting);
         for (Scene.Thing thing : setting.statics()) {

@@ -10,6 +10,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.World;
 
 /**
  * The state history of a conversation: frames by number, from 0, and the world at any of them without replaying from
@@ -26,7 +27,7 @@ public final class StateHistory {
     private static final int MOST = 4_000_000;
 
     private final List<Frame> frames = new ArrayList<>();
-    private final List<Chapter> chapters = new ArrayList<>();
+    private final Column<Chapter> chapters = new Column<>();
 
     private final int most;
     private int first;
@@ -39,6 +40,15 @@ public final class StateHistory {
     /** A history with another maximum number of places and distances. */
     public StateHistory(int most) {
         this.most = most;
+    }
+
+    /** A world as its file has it, with what the sonars of its robots measure there. */
+    public static StateHistory of(World world) {
+        Map<String, List<Scene.Ping>> heard = WorldSonars.of(world).measure(world.toGeometry(outside -> {}));
+        StateHistory film = new StateHistory();
+        film.append(new Frame(
+                Frame.Setting.of(world), Map.of(), List.of(), heard, Pictures.contents(world), List.of(), null));
+        return film;
     }
 
     /**
@@ -72,9 +82,7 @@ public final class StateHistory {
         int number = size() - 1;
         frames.set(frames.size() - 1, whole);
         weight += whole.weight() - last.weight();
-        if (!chapters.isEmpty()) {
-            chapters.get(chapters.size() - 1).append(number, message);
-        }
+        happen(number, message);
     }
 
     public void append(Frame frame) {
@@ -82,13 +90,18 @@ public final class StateHistory {
         frames.add(frame);
         weight += frame.weight();
         if (frame.opening() != null) {
-            chapters.add(new Chapter(number, frame.opening()));
+            chapters.add(number, new Chapter(number, frame.opening()));
         }
-        if (!chapters.isEmpty()) {
-            chapters.get(chapters.size() - 1).append(number, frame);
-        }
+        happen(number, frame);
         while (weight > most && frames.size() > 1) {
             forget(first + Math.max(1, frames.size() / 4));
+        }
+    }
+
+    private void happen(int number, Frame frame) {
+        Chapter chapter = chapters.at(number);
+        if (chapter != null) {
+            chapter.append(number, frame);
         }
     }
 
@@ -100,13 +113,10 @@ public final class StateHistory {
         }
         past.clear();
         first = before;
-        int over = 0;
-        while (over + 1 < chapters.size() && chapters.get(over + 1).begin <= before) {
-            over++;
-        }
-        chapters.subList(0, over).clear();
-        if (!chapters.isEmpty()) {
-            chapters.get(0).forget(before);
+        chapters.forget(before);
+        Chapter chapter = chapters.at(before);
+        if (chapter != null) {
+            chapter.forget(before);
         }
     }
 
@@ -126,39 +136,25 @@ public final class StateHistory {
 
     /** The world of a frame; null before the first. */
     public Frame.@Nullable Setting setting(int number) {
-        Chapter chapter = chapter(number);
+        Chapter chapter = chapters.at(number);
         return chapter == null ? null : chapter.setting;
     }
 
     /** Identifies the world of a frame by the number of the frame with which it began; -1 before the first. */
     public int world(int number) {
-        Chapter chapter = chapter(number);
+        Chapter chapter = chapters.at(number);
         return chapter == null ? -1 : chapter.begin;
     }
 
     /** The moveable objects at their places after a frame. */
     public List<Scene.Thing> movers(int number) {
-        Chapter chapter = chapter(number);
+        Chapter chapter = chapters.at(number);
         return chapter == null ? List.of() : chapter.movers(number);
-    }
-
-    private @Nullable Chapter chapter(int number) {
-        int from = 0;
-        int to = chapters.size(); // the first that begins later
-        while (from < to) {
-            int middle = (from + to) >>> 1;
-            if (chapters.get(middle).begin <= number) {
-                from = middle + 1;
-            } else {
-                to = middle;
-            }
-        }
-        return from == 0 ? null : chapters.get(from - 1);
     }
 
     /** The complete scene after a frame; empty before the first world. */
     Scene at(int number, Look look) {
-        Chapter chapter = chapter(number);
+        Chapter chapter = chapters.at(number);
         if (chapter == null) {
             return Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of());
         }
@@ -175,7 +171,7 @@ public final class StateHistory {
 
     /** Adds everything that happened up to a frame to the scene of a world, whose objects move to their places. */
     Scene over(Scene world, int number) {
-        Chapter chapter = chapter(number);
+        Chapter chapter = chapters.at(number);
         if (chapter == null) {
             return world;
         }

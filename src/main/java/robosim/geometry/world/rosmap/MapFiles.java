@@ -3,7 +3,6 @@ package robosim.geometry.world.rosmap;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Folder;
@@ -28,11 +27,6 @@ public final class MapFiles {
                             + " org.snakeyaml:snakeyaml-engine:3.0.1 or newer (missing: " + e.getMessage() + ")",
                     e);
         }
-    }
-
-    /** The cells of the image that the settings name. */
-    public static OccupancyGrid grid(Path yaml, MapSettings settings) throws FileProblem {
-        return grid(yaml, settings, new ArrayList<>());
     }
 
     /**

@@ -28,8 +28,13 @@ final class PgmReader {
         } catch (IllegalArgumentException e) {
             throw words.wrong(String.valueOf(e.getMessage()));
         }
+        int most = white;
         if (isText) {
-            text(words, width, height, white, sink);
+            copy(width, height, (row, column) -> words.digits("a pixel", 0, most), sink);
+            if (words.next()) {
+                throw words.wrong("an image must end after its last pixel (got: "
+                        + words.word().length() + " more)");
+            }
             return;
         }
         int size = white < 256 ? 1 : 2;
@@ -45,45 +50,36 @@ final class PgmReader {
                                     : "there is extra data after its last pixel, so save it again (got: " + there
                                             + ")"));
         }
-        binary(bytes, from, source, width, height, white, sink);
-    }
-
-    private static void text(AsciiScanner words, int width, int height, int white, PixelSink sink) throws IOException {
-        int[] samples = new int[Math.min(width, PIECE)];
-        for (int row = 0; row < height; row++) {
-            for (int x = 0; x < width; x += PIECE) {
-                int count = Math.min(PIECE, width - x);
-                for (int k = 0; k < count; k++) {
-                    samples[k] = words.digits("a pixel", 0, white);
-                }
-                sink.pixels(row, x, 1, count, samples);
-            }
-        }
-        if (words.next()) {
-            throw words.wrong("an image must end after its last pixel (got: "
-                    + words.word().length() + " more)");
-        }
-    }
-
-    private static void binary(byte[] bytes, int from, String source, int width, int height, int white, PixelSink sink)
-            throws IOException {
-        int[] samples = new int[Math.min(width, PIECE)];
-        int at = from;
-        for (int row = 0; row < height; row++) {
-            for (int x = 0; x < width; x += PIECE) {
-                int count = Math.min(PIECE, width - x);
-                for (int k = 0; k < count; k++) {
-                    int value = bytes[at++] & 0xff;
-                    if (white > 255) {
-                        value = 256 * value + (bytes[at++] & 0xff);
-                    }
-                    if (value > white) {
+        copy(
+                width,
+                height,
+                (row, column) -> {
+                    int at = from + size * (row * width + column);
+                    int value = size == 1 ? bytes[at] & 0xff : 256 * (bytes[at] & 0xff) + (bytes[at + 1] & 0xff);
+                    if (value > most) {
                         throw new FileProblem(
                                 source,
-                                "a pixel must be at most white, " + white + " (got: " + value + " in column "
-                                        + (x + k + 1) + " of row " + (row + 1) + ")");
+                                "a pixel must be at most white, " + most + " (got: " + value + " in column "
+                                        + (column + 1) + " of row " + (row + 1) + ")");
                     }
-                    samples[k] = value;
+                    return value;
+                },
+                sink);
+    }
+
+    /** The value of a pixel in the file, all of which are asked for in their order. */
+    @FunctionalInterface
+    private interface Pixel {
+        int next(int row, int column) throws IOException;
+    }
+
+    private static void copy(int width, int height, Pixel from, PixelSink sink) throws IOException {
+        int[] samples = new int[Math.min(width, PIECE)];
+        for (int row = 0; row < height; row++) {
+            for (int x = 0; x < width; x += PIECE) {
+                int count = Math.min(PIECE, width - x);
+                for (int k = 0; k < count; k++) {
+                    samples[k] = from.next(row, x + k);
                 }
                 sink.pixels(row, x, 1, count, samples);
             }

@@ -111,7 +111,7 @@ class NearGridTest {
         if (way == 1) {
             cursor.startBox(query[0], query[1], query[2], query[3]);
         } else if (way == 2) {
-            cursor.startPoint(query[0], query[1], reach);
+            cursor.startPoint(query[0], query[1]);
         } else {
             BitSet near = QuadTreeTest.near(cursor, QuadTreeTest.outlines(cursor), query);
             return near == null ? gathered(query, but) : near;

@@ -48,7 +48,7 @@ class PicturesTest {
         assertThat(svg).contains("a talk", "step 3 of 3: 1 distance; 1 move, 1 refused: drum by wall");
         assertThat(svg).containsOnlyOnce("class=\"block\"").containsOnlyOnce("class=\"trail\"");
         assertThat(svg).containsOnlyOnce("class=\"ping\"");
-        assertThat(svg).isEqualTo(Painter.svg(Pictures.lastMoments(scenario)));
+        assertThat(svg).isEqualTo(Painter.svg(Pictures.lastMoments(scenario, Colours.NONE)));
     }
 
     /** In a hall of 200 by 200 a robot that went two units would be a dot. */
@@ -108,7 +108,7 @@ class PicturesTest {
     @Test
     void aStoredScenarioHasItsLastMoments() throws Exception {
         Scenario scenario = Scenario.read(Path.of("worlds/scenarios/by-hand.scenario.jsonl"));
-        Scene scene = Pictures.lastMoments(scenario);
+        Scene scene = Pictures.lastMoments(scenario, Colours.NONE);
         assertThat(scene.things()).hasSizeGreaterThan(50);
         assertThat(scene.refusals()).hasSize(1);
         assertThat(scene.blocked()).hasSize(1);
@@ -117,7 +117,7 @@ class PicturesTest {
     @Test
     void aConversationOfNothingIsAPictureToo() {
         Scenario empty = new Scenario(new ScenarioHeader("nothing", SessionOptions.ROBOSIM), new Talk().steps());
-        assertThat(Painter.svg(Pictures.lastMoments(empty))).contains("nothing");
+        assertThat(Painter.svg(Pictures.lastMoments(empty, Colours.NONE))).contains("nothing");
     }
 
     /** One beam for each sonar of the file, as far as its world answers. */

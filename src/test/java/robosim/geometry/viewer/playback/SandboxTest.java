@@ -19,8 +19,8 @@ class SandboxTest {
         for (GeometryObject object : objects) {
             assertThat(geometry.addObjectUnchecked(object)).isTrue();
         }
-        Frame.Setting setting = Frame.Setting.of(geometry);
-        return Sandbox.of(setting, setting.movers());
+        Frame.Setting setting = Frame.Setting.of(geometry, Colours.NONE);
+        return Sandbox.of(setting, setting.movers(), WorldSonars.NONE);
     }
 
     private static Sandbox sandbox() {

@@ -3,12 +3,13 @@ package robosim.geometry.index.quadtree;
 import robosim.geometry.exact.BeamAxis;
 
 /**
- * Searches a {@link RegionTree} in a sector of the plane, in the order of how far boxes are within the sector, or less.
+ * Searches a {@link RegionTree} around a point, or in a sector of the plane, in the order of how far boxes are, or less: nearest
+ * first.
  *
  * <p>A box begins in a direction of the axes at a line, which the sector reaches at a distance that is its height times a
  * factor of the sector: four directions give four lower bounds. And no point of the sector is beyond one of its sides.
  */
-public final class SectorSearch {
+public final class RegionSearch {
     /**
      * The share of the coordinates by which boxes are widened, and that is added to the sines of the sector: more than the
      * roundings, and more than what a certified shape is taken larger by.
@@ -27,11 +28,21 @@ public final class SectorSearch {
     /** More than any entry. */
     private static final long MISSED = Long.MAX_VALUE;
 
+    /** Four roundings: of a difference, of two sums of squares, and of a root. */
+    private static final double DOWN = 1 - 0x1.8p-51;
+
     /** Regions and, below 0, objects, by the upper halves of the bits of doubles of at least 0, which sort like the doubles. */
     private final LongHeap queue = new LongHeap();
 
     private long visited;
     private double farthest;
+    private boolean isAround;
+
+    /** The last object, and by how much its box is away. */
+    private long entry;
+
+    private double fromX;
+    private double fromZ;
 
     // By axis and direction: what gives the distance of a line that a box begins at, times the line's coordinate, and
     // added.
@@ -60,6 +71,23 @@ public final class SectorSearch {
         return visited;
     }
 
+    /** A lower bound, to some 2^-20 of it, of the distance of the last object. */
+    public double entry() {
+        return Double.longBitsToDouble(entry >>> Integer.SIZE << Integer.SIZE);
+    }
+
+    /** Starts a search around a point, in the whole plane. */
+    public void start(RegionTree tree, double x, double z) {
+        if (!Double.isFinite(x) || !Double.isFinite(z)) {
+            throw new IllegalArgumentException("point must be finite (got: " + x + ", " + z + ")");
+        }
+        isAround = true;
+        fromX = x;
+        fromZ = z;
+        farthest = Double.MAX_VALUE;
+        start(tree);
+    }
+
     /**
      * Starts a search in the sector about a level beam.
      *
@@ -74,6 +102,7 @@ public final class SectorSearch {
         double sin = beam.sin;
         double reach = Math.max(most, Math.max(Math.abs(ox), Math.abs(oz)));
         double pad = PAD * reach + Double.MIN_NORMAL;
+        isAround = false;
         farthest = ACROSS * reach + Double.MIN_NORMAL;
         upX = factor(ux, cos, sin);
         atUpX = (-ox - pad) * upX;
@@ -97,9 +126,15 @@ public final class SectorSearch {
         rightLowZ = Math.max(z, 0);
         rightHighZ = Math.min(z, 0);
         atRight = -(x * ox + z * oz) - pad;
+        start(tree);
+    }
+
+    private void start(RegionTree tree) {
         queue.clear();
+        entry = 0;
         if (tree.regions.links[0] != Regions.EMPTY) {
-            queue.push(0);
+            double[] b = tree.regions.bounds;
+            queue.push(entry(key(b[0], b[1], b[2], b[3]), 0));
         }
     }
 
@@ -121,6 +156,7 @@ public final class SectorSearch {
                 nearest = queue.pop();
             }
             int item = (int) nearest;
+            entry = nearest;
             if (item < 0) {
                 return ~item;
             }
@@ -174,8 +210,22 @@ public final class SectorSearch {
         return (long) key << Integer.SIZE | (item & 0xffffffffL);
     }
 
-    /** A lower bound of how far a box is within the sector; more than that of any number where it is beyond a side. */
     private int key(double minX, double minZ, double maxX, double maxZ) {
+        return isAround ? around(minX, minZ, maxX, maxZ) : inSector(minX, minZ, maxX, maxZ);
+    }
+
+    /** A lower bound of how far a box is from the point. */
+    private int around(double minX, double minZ, double maxX, double maxZ) {
+        double dx = Math.max(0, Math.max(minX - fromX, fromX - maxX));
+        double dz = Math.max(0, Math.max(minZ - fromZ, fromZ - maxZ));
+        double square = dx * dx + dz * dz;
+        // If squares lose bits or overflow, the longer leg is used as the lower bound.
+        double distance = square > 0x1p-960 && square < 0x1p1000 ? Math.sqrt(square) : Math.max(dx, dz);
+        return upper(Math.max(0, distance * DOWN - Double.MIN_VALUE));
+    }
+
+    /** A lower bound of how far a box is within the sector; more than that of any number where it is beyond a side. */
+    private int inSector(double minX, double minZ, double maxX, double maxZ) {
         int x = Math.max(upper(minX * upX + atUpX), upper(maxX * downX + atDownX));
         int z = Math.max(upper(minZ * upZ + atUpZ), upper(maxZ * downZ + atDownZ));
         double left = (minX * leftLowX + maxX * leftHighX) + (minZ * leftLowZ + maxZ * leftHighZ) + atLeft;

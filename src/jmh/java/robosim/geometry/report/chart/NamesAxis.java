@@ -1,13 +1,19 @@
-package robosim.geometry.chart;
+package robosim.geometry.report.chart;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.chart.Axis;
 
 /** Names in lines, the first on top: the value of a line is its number. */
 public record NamesAxis(String title, List<String> names) implements Axis {
     /** Keeps a copy of the names. */
     public NamesAxis {
         names = List.copyOf(names);
+    }
+
+    @Override
+    public boolean isScale() {
+        return false;
     }
 
     @Override
