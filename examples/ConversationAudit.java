@@ -16,6 +16,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import robosim.geometry.dynamics.BodyContact;
+import robosim.geometry.dynamics.StepResult;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
@@ -23,7 +25,9 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -33,11 +37,6 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
-import robosim.geometry.protocol.motion.BodyAnswer;
-import robosim.geometry.protocol.motion.BodyRequest;
-import robosim.geometry.protocol.motion.ContactAnswer;
-import robosim.geometry.protocol.motion.DriveCommand;
-import robosim.geometry.protocol.motion.DriveSettings;
 
 /**
  * Reads the recorded bytes of a conversation between an environment and the geometry module and decides afterwards, by
@@ -89,8 +88,7 @@ public final class ConversationAudit {
     private long grazing;
     private long faults;
     private double largestError;
-    private final Map<String, DriveCommand> told = new HashMap<>();
-    private final Set<String> limited = new HashSet<>();
+    private final Map<String, Twist> told = new HashMap<>();
     private long steps;
     private long places;
     private long free;
@@ -302,39 +300,36 @@ public final class ConversationAudit {
 
     private void judgeStep(StepBundle step, StepBundle.Answer answer) {
         steps++;
-        for (BodyRequest body : step.bodies()) {
-            told.put(body.objectName(), new DriveCommand(body.objectName(), 0, 0));
-            DriveSettings drive = body.drive();
-            if (drive != null && !drive.equals(DriveSettings.DEFAULT)) {
-                limited.add(body.objectName());
-            }
-        }
-        for (DriveCommand command : step.commands()) {
-            told.put(command.objectName(), command);
-        }
+        step.bodyNames().forEach(name -> told.put(name, Twist.drive(0, 0)));
+        told.putAll(step.motions());
+        StepResult result = answer.result();
+        List<BodyContact> all = new ArrayList<>(result.contacts());
+        all.addAll(result.ended());
         Set<String> touching = new HashSet<>(answer.stopped());
-        for (ContactAnswer contact : answer.contacts()) {
-            contacts += contact.phase() == ContactAnswer.Phase.BEGIN ? 1 : 0;
-            touching.add(contact.objectName());
+        for (BodyContact contact : all) {
+            contacts += contact.phase() == BodyContact.Phase.BEGIN ? 1 : 0;
+            touching.add(contact.body());
             touching.add(contact.other());
         }
         Map<Body, double[]> before = new HashMap<>();
-        for (BodyAnswer at : answer.bodies()) {
-            Body body = moveable(at.objectName());
+        for (Map.Entry<String, Pose> each : answer.places().entrySet()) {
+            String name = each.getKey();
+            Pose at = each.getValue();
+            Body body = moveable(name);
             if (body == null) {
-                fault("a step tells of no moveable object: " + at);
+                fault("a step tells of no moveable object: " + name + " at " + at);
                 return;
             }
             before.put(body, new double[] {body.x, body.z});
-            if (!touching.contains(at.objectName()) && !limited.contains(at.objectName()) && !isInContact(body)) {
-                judgeFree(body, told.get(at.objectName()), step.seconds(), at);
+            if (!touching.contains(name) && !isInContact(body)) {
+                judgeFree(body, told.get(name), step.seconds(), at);
             }
-            body.place(at.center().x(), at.center().z(), at.heading());
+            body.place(at.center().x(), at.center().z(), Math.toRadians(at.heading()));
         }
-        for (BodyAnswer at : answer.bodies()) {
-            judgePlace(byName.get(at.objectName()), before.get(moveable(at.objectName())));
+        for (String name : answer.places().keySet()) {
+            judgePlace(byName.get(name), before.get(moveable(name)));
         }
-        for (ContactAnswer contact : answer.contacts()) {
+        for (BodyContact contact : all) {
             judgeContact(contact, before);
         }
         inContact.removeIf(pair -> gap(first(pair), second(pair)) > slack);
@@ -346,17 +341,18 @@ public final class ConversationAudit {
     }
 
     /** Two wheels that go at their speeds at once carry what meets nothing along an arc. */
-    private void judgeFree(Body body, DriveCommand command, double seconds, BodyAnswer at) {
+    private void judgeFree(Body body, Twist command, double seconds, Pose at) {
         free++;
-        double half = command.turn() * seconds / 2;
-        double chord = command.forward() * seconds * (half == 0 ? 1 : StrictMath.sin(half) / half);
+        double half = Math.toRadians(command.ry()) * seconds / 2;
+        double chord = command.x() * seconds * (half == 0 ? 1 : StrictMath.sin(half) / half);
         double c = body.c * StrictMath.cos(half) - body.s * StrictMath.sin(half);
         double s = body.s * StrictMath.cos(half) + body.c * StrictMath.sin(half);
         double off =
                 Math.hypot(at.center().x() - (body.x + c * chord), at.center().z() - (body.z - s * chord));
         double endC = c * StrictMath.cos(half) - s * StrictMath.sin(half);
         double endS = s * StrictMath.cos(half) + c * StrictMath.sin(half);
-        double turned = Math.hypot(StrictMath.cos(at.heading()) - endC, StrictMath.sin(at.heading()) - endS);
+        double heading = Math.toRadians(at.heading());
+        double turned = Math.hypot(StrictMath.cos(heading) - endC, StrictMath.sin(heading) - endS);
         largestDrift = Math.max(largestDrift, Math.max(off, turned));
         if (!(off <= slack && turned <= slack)) {
             fault("a robot that met nothing is off by " + off + " and " + turned + " radians: " + command + ", " + at);
@@ -398,13 +394,13 @@ public final class ConversationAudit {
     }
 
     /** A contact is no farther from either of the two than these have moved in the step. */
-    private void judgeContact(ContactAnswer contact, Map<Body, double[]> before) {
+    private void judgeContact(BodyContact contact, Map<Body, double[]> before) {
         double size = Math.hypot(contact.normal().x(), contact.normal().z());
         if (Math.abs(size - 1) > slack) {
             fault("a normal must have the length 1: " + contact);
         }
         Piece point = Body.disc(contact.point().x(), contact.point().z(), 0);
-        for (String name : new String[] {contact.objectName(), contact.other()}) {
+        for (String name : new String[] {contact.body(), contact.other()}) {
             Integer index = name == null ? null : byName.get(name);
             if (index != null) {
                 Body body = bodies.get(index);

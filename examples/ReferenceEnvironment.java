@@ -20,13 +20,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
+import robosim.geometry.dynamics.BodyContact;
+import robosim.geometry.dynamics.StepResult;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -36,10 +40,6 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
-import robosim.geometry.protocol.motion.BodyRequest;
-import robosim.geometry.protocol.motion.ContactAnswer;
-import robosim.geometry.protocol.motion.DriveCommand;
-import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -264,37 +264,38 @@ public final class ReferenceEnvironment {
         tally.made += made.size();
     }
 
-    /** Makes every robot a body with two driven wheels, which reach the speed that they are told at once. */
+    /** Makes every robot a body; what drives it are two wheels, which reach the speed of a command at once. */
     private void giveBodies(Connection connection) throws IOException, ClassNotFoundException {
-        List<BodyRequest> bodies = new ArrayList<>();
+        StepBundle step = StepBundle.of(0);
         for (Robot robot : robots) {
-            bodies.add(BodyRequest.of(robot.name).withDrive(DriveSettings.DEFAULT));
+            step = step.withBody(robot.name);
         }
-        check(connection.ask(new StepBundle(0, bodies, List.of())));
+        check(connection.ask(step));
     }
 
     /** One step in which all robots are driven. */
     private void drive(Connection connection) throws IOException, ClassNotFoundException {
-        List<DriveCommand> commands = new ArrayList<>();
+        Map<String, Twist> motions = new LinkedHashMap<>();
         for (Robot robot : robots) {
-            commands.add(robot.steer());
+            motions.put(robot.name, robot.steer());
         }
         long begin = System.nanoTime();
-        Object answered = connection.ask(new StepBundle(SECONDS, List.of(), commands));
+        Object answered = connection.ask(StepBundle.of(SECONDS).withMotions(motions));
         tally.stepNanos.add(System.nanoTime() - begin);
         StepBundle.Answer answer = check(answered);
+        StepResult result = answer.result();
+        Map<String, Pose> places = answer.places();
         for (int k = 0; k < robots.size(); k++) {
             String name = robots.get(k).name;
             Point before = robots.get(k).place;
-            Point now = answer.bodies().get(k).center();
+            Point now = places.get(name).center();
             tally.driven += before == null ? 0 : Math.hypot(now.x() - before.x(), now.z() - before.z());
             robots.get(k).place = now;
-            robots.get(k).touches = answer.contacts().stream()
-                    .filter(contact -> contact.phase() != ContactAnswer.Phase.END)
-                    .anyMatch(contact -> name.equals(contact.objectName()) || name.equals(contact.other()));
+            robots.get(k).touches = result.contacts().stream()
+                    .anyMatch(contact -> name.equals(contact.body()) || name.equals(contact.other()));
         }
-        for (ContactAnswer contact : answer.contacts()) {
-            tally.bumps += contact.phase() == ContactAnswer.Phase.BEGIN ? 1 : 0;
+        for (BodyContact contact : result.contacts()) {
+            tally.bumps += contact.phase() == BodyContact.Phase.BEGIN ? 1 : 0;
         }
         tally.stopped += answer.stopped().size();
     }
@@ -306,13 +307,12 @@ public final class ReferenceEnvironment {
         }
         List<String> names = new ArrayList<>();
         robots.forEach(robot -> names.add(robot.name));
-        List<String> told =
-                step.bodies().stream().map(body -> body.objectName()).toList();
+        List<String> told = List.copyOf(step.places().keySet());
         if (!told.equals(names)) {
             throw new ProtocolFault("the bodies must be " + names + " (got: " + told + ")");
         }
-        for (ContactAnswer contact : step.contacts()) {
-            if (!names.contains(contact.objectName())) {
+        for (BodyContact contact : step.result().contacts()) {
+            if (!names.contains(contact.body())) {
                 throw new ProtocolFault("a contact must be that of a body (got: " + contact + ")");
             }
         }
@@ -436,7 +436,7 @@ public final class ReferenceEnvironment {
         }
 
         /** The same on wheels: after a bump it backs off for a while in a curve, to the roomier side. */
-        DriveCommand steer() {
+        Twist steer() {
             boolean backs = retreatSteps > 0;
             if (touches && !backs) {
                 retreatSteps = 6 + random.nextInt(8);
@@ -445,10 +445,10 @@ public final class ReferenceEnvironment {
             if (retreatSteps > 0) {
                 retreatSteps--;
                 side = backs ? side : random.nextBoolean() ? 1 : -1;
-                return new DriveCommand(name, -speed / (2 * SECONDS), side * 1.5);
+                return Twist.drive(-speed / (2 * SECONDS), side * 90);
             }
             MoveRequest wish = wander();
-            return new DriveCommand(name, wish.x() / SECONDS, wish.ry() / SECONDS);
+            return Twist.drive(wish.x() / SECONDS, Math.toDegrees(wish.ry() / SECONDS));
         }
 
         /** Turns away; where that is refused too, retreats a few steps to where it sees farthest, without a turn. */

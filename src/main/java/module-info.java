@@ -20,7 +20,6 @@ module robosim.geometry {
     exports robosim.geometry.net;
     exports robosim.geometry.proof;
     exports robosim.geometry.protocol;
-    exports robosim.geometry.protocol.motion;
     exports robosim.geometry.render;
     exports robosim.geometry.scenario;
     exports robosim.geometry.sensor;

@@ -1,12 +1,12 @@
 package example;
 
+import java.util.random.RandomGenerator;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.sweep.Replicate;
 import robosim.geometry.sweep.Result;
-import robosim.geometry.sweep.SeededRandom;
 import robosim.geometry.sweep.SweepScenario;
 
 /**
@@ -20,7 +20,7 @@ public final class Patrol implements SweepScenario {
     @Override
     public Result run(Replicate replicate) throws Exception {
         Geometry world = replicate.world();
-        SeededRandom random = replicate.random();
+        RandomGenerator random = replicate.random();
         GeometryObject robot = new CylinderObject(new Point(), 0.25, 1).moveable("patrol");
         boolean isPlaced = false;
         while (!isPlaced) {

@@ -9,25 +9,27 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.check.Checks;
 import robosim.geometry.check.Text;
 import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.BodyContact;
 import robosim.geometry.dynamics.Drive;
+import robosim.geometry.dynamics.Surface;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Twist;
-import robosim.geometry.net.session.BodyRequests;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.motion.BodyAnswer;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.ContactAnswer;
 import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.PushRequest;
-import robosim.geometry.protocol.motion.Velocity;
+import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.world.SonarRing;
 
 /**
  * A robot of a {@link RobotWorld}, with commands and assertions that read like sentences. Each either succeeds or fails
- * the test with a message that says what is in the way, and where. Distances are in world units; directions in degrees,
+ * the test with a message that names what is in the way, and where. An object that robots push is described in the same words.
+ * Distances are in world units; directions in degrees,
  * counter-clockwise from its forward direction.
  *
  * <p>A sentence that measures, such as {@link #rangeTo}, goes on with more about what was measured, or with anything else
@@ -35,10 +37,21 @@ import robosim.geometry.world.SonarRing;
  */
 public sealed class Robot permits Range, Sonar {
     private final RobotWorld world;
+    private final String kind;
     private final String name;
 
     Robot(RobotWorld world, String name) {
+        this(world, "robot", name);
+    }
+
+    /**
+     * Something in a world.
+     *
+     * @param kind the word for it in messages
+     */
+    Robot(RobotWorld world, String kind, String name) {
         this.world = world;
+        this.kind = kind;
         this.name = name;
     }
 
@@ -76,9 +89,9 @@ public sealed class Robot permits Range, Sonar {
      * @param turn  degrees a second, counter-clockwise; of a car the angle of its front wheels, which turns it about its rear
      *              axle; of a {@code ForceDrive} newton metres
      */
-    public Driving drives(double speed, double turn) {
+    public Robot drives(double speed, double turn) {
         world.tell(name, speed, 0, turn);
-        return new Driving(world, this);
+        return this;
     }
 
     /**
@@ -88,14 +101,50 @@ public sealed class Robot permits Range, Sonar {
      * @param right   m/s to the right; of a {@code ForceDrive} newtons
      * @param turn    degrees a second, counter-clockwise; of a {@code ForceDrive} newton metres
      */
-    public Driving drives(double forward, double right, double turn) {
+    public Robot drives(double forward, double right, double turn) {
         world.tell(name, forward, right, turn);
-        return new Driving(world, this);
+        return this;
+    }
+
+    /**
+     * Lets time pass for the whole world, in steps of its clock: every body moves as it is driven and pushed. Then lets the
+     * robot stand, which it does as soon as its drive can.
+     *
+     * @param seconds a multiple of the clock's step
+     */
+    public Robot forSeconds(double seconds) {
+        world.elapse(seconds);
+        world.tell(name, 0, 0, 0);
+        return this;
+    }
+
+    /** Gives it a body of so many kilograms, in the shape of a solid. */
+    public Robot hasMass(double kilograms) {
+        world.give(world.body(name).withMass(kilograms));
+        return this;
+    }
+
+    /** Lets it bounce and rub; see {@link Surface}. */
+    public Robot hasSurface(Surface surface) {
+        world.give(world.body(name).withSurface(SurfaceSettings.of(surface)));
+        return this;
+    }
+
+    /** Gives it sliding friction on the floor, 0 for what rolls; 0.5 otherwise. */
+    public Robot hasFloorFriction(double friction) {
+        world.give(world.body(name).withFloorFriction(friction));
+        return this;
+    }
+
+    /** Lets its speed, and its speed of turning, fall by shares each second, as on a floor that resists. */
+    public Robot hasDamping(double ofSpeed, double ofTurn) {
+        world.give(world.body(name).withDamping(ofSpeed, ofTurn));
+        return this;
     }
 
     /** Gives it a body. */
     public Robot hasBody(Body body) {
-        BodyRequest asked = BodyRequests.of(name, Checks.present("body", body), null);
+        BodyRequest asked = BodyRequest.of(name, Checks.present("body", body), null);
         DriveSettings drive = world.body(name).drive();
         world.give(drive == null ? asked : asked.withDrive(drive));
         return this;
@@ -103,7 +152,7 @@ public sealed class Robot permits Range, Sonar {
 
     /** Gives it a drive; its command does not count. */
     public Robot hasDrive(Drive drive) {
-        world.give(world.body(name).withDrive(BodyRequests.of(Checks.present("drive", drive))));
+        world.give(world.body(name).withDrive(DriveSettings.of(Checks.present("drive", drive))));
         return this;
     }
 
@@ -146,16 +195,15 @@ public sealed class Robot permits Range, Sonar {
      */
     public Twist velocity() {
         BodyAnswer body = world.answer(name);
-        Velocity of = body == null ? new Velocity(0, 0, 0, 0) : body.velocity();
-        return new Twist(of.x(), of.y(), of.z(), Degrees.toDegrees(of.ry()));
+        return body == null ? new Twist(0, 0, 0, 0) : body.velocity().twist();
     }
 
     /**
      * What it touched or collided with in the last step of the clock, the ground too, and what it parted from. The normal of
-     * each points towards the {@code objectName} of the contact, which may be the other one.
+     * each points towards the {@code body} of the contact, which may be the other one.
      */
-    public List<ContactAnswer> contacts() {
-        return world.contacts(name);
+    public List<BodyContact> contacts() {
+        return world.contacts(name).stream().map(ContactAnswer::contact).toList();
     }
 
     /** Fails unless it and an object have met so far while bodies moved: one ran into the other. */
@@ -209,7 +257,7 @@ public sealed class Robot permits Range, Sonar {
 
     /** Fails if it is not within a distance of a place on the ground. */
     public Robot endsNear(double x, double z, double within) {
-        world.checkNear("robot", name, x, z, within);
+        world.checkNear(kind, name, x, z, within);
         return this;
     }
 
@@ -444,6 +492,6 @@ public sealed class Robot permits Range, Sonar {
 
     @Override
     public String toString() {
-        return "robot " + Text.quoted(name);
+        return kind + " " + Text.quoted(name);
     }
 }

@@ -276,10 +276,10 @@ public final class RobotWorld {
      *
      * @throws IllegalArgumentException if there is none of that name; the message lists those that exist
      */
-    public Pushable object(String name) {
+    public Robot object(String name) {
         Checks.present("name", name);
         known(name);
-        return new Pushable(this, name);
+        return new Robot(this, "object", name);
     }
 
     /** All moveable objects, in the order in which they were added. */

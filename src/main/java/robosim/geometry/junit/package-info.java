@@ -6,12 +6,11 @@
  * <ul>
  *   <li>{@link World}: the world of a test, from a file or a method
  *   <li>{@link RobotWorld}: that world as a parameter of the test; it returns robots and places
- *   <li>{@link Robot}: drives, turns, senses, and checks what it touches
- *   <li>{@link Driving} and {@link Arrival}: a robot on its way to a goal, and how it got there
+ *   <li>{@link Robot}: drives, turns, senses, is pushed, and checks what it touches
+ *   <li>{@link Arrival}: a robot on its way to a goal
  *   <li>{@link Goal}: where robots must arrive
  *   <li>{@link Sonar}: what a sensor of a robot reads
  *   <li>{@link Range}: the distance between a robot and an object, for assertions
- *   <li>{@link Pushable}: an object that robots push
  *   <li>{@link VirtualClock}: the time of a test, which advances in steps
  *   <li>{@link Seed}: the seed of its random numbers
  *   <li>{@link ScenarioTest} and {@link Scenarios}: tests made of scenario files

@@ -3,16 +3,33 @@ package robosim.geometry.net;
 import java.net.InetAddress;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Who may connect. On any address but loopback, a server requires TLS, a secret, or both.
- *
- * @param tls    if not null, every connection uses TLS, and each end presents a certificate that the other trusts
- * @param secret if not null, a peer that speaks JSON must present it in its hello; a peer that speaks Java
- *               serialization, which has no place for it, is then served over TLS only
- */
-public record Access(@Nullable Tls tls, @Nullable Secret secret) {
+/** Who may connect. On any address but loopback, a server requires TLS, a secret, or both. */
+final class Access {
     /** No authentication, for the loopback address. */
-    public static final Access ANYBODY = new Access(null, null);
+    static final Access ANYBODY = of(null, null);
+
+    private final @Nullable Tls tls;
+    private final @Nullable Secret secret;
+
+    private Access(@Nullable Tls tls, @Nullable Secret secret) {
+        this.tls = tls;
+        this.secret = secret;
+    }
+
+    /** Access by TLS, a secret, or both. */
+    static Access of(@Nullable Tls tls, char @Nullable [] secret) {
+        return new Access(tls, secret == null ? null : Secret.of(secret));
+    }
+
+    /** Null for plain connections. */
+    @Nullable
+    Tls tls() {
+        return tls;
+    }
+
+    boolean hasSecret() {
+        return secret != null;
+    }
 
     /** Refuses an address that other machines can reach unless something keeps strangers out. */
     void check(InetAddress address) {

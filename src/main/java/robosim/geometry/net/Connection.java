@@ -236,7 +236,7 @@ final class Connection implements Runnable {
                 () -> stopping);
         PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, times.stall(), times.message(), turn);
         in.from(newcomer);
-        if (options.access().secret() != null) {
+        if (options.access().hasSecret()) {
             in.mayIdle(times.stall());
         }
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, new PeerAdmission() {

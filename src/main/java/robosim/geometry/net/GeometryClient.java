@@ -78,9 +78,12 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         this.pause = pause;
     }
 
-    /** Changes the keys, certificates or secret for the next time that it dials; the present connection goes on. */
-    public void renew(Access other) {
-        access = Checks.present("other", other);
+    /**
+     * Changes the keys, certificates or secret for the next time that it dials; the present connection goes on. The parameters are
+     * those of {@link NetOptions#withAccess}.
+     */
+    public void renew(@Nullable Tls tls, char @Nullable [] secret) {
+        access = Access.of(tls, secret);
     }
 
     /** What it has done so far; a live view. */

@@ -25,7 +25,7 @@ import robosim.geometry.protocol.channel.MessageChannel;
  * Serves environments that dial in, each with its own session on its own thread.
  *
  * <p>It listens from its construction until it is closed; its threads keep the process alive. On the loopback address
- * no authentication is needed; on any other it requires {@link Access}.
+ * no authentication is needed; on any other it requires {@linkplain NetOptions#withAccess TLS or a secret}.
  *
  * <pre>{@code
  * NetOptions options = NetOptions.defaults().withConnections(4);
@@ -144,12 +144,13 @@ public final class GeometryServer implements AutoCloseable {
 
     /**
      * Changes who may connect, for connections that are made from now on; the others go on. So keys, certificates and
-     * secrets can be replaced while sessions last.
+     * secrets can be replaced while sessions last. The parameters are those of {@link NetOptions#withAccess}.
      *
      * @throws IllegalArgumentException if other machines can reach the address, and there is neither TLS nor a secret
      */
-    public void renew(Access access) {
-        Checks.present("access", access).check(listening.getInetAddress());
+    public void renew(@Nullable Tls tls, char @Nullable [] secret) {
+        Access access = Access.of(tls, secret);
+        access.check(listening.getInetAddress());
         around = around.with(access);
     }
 

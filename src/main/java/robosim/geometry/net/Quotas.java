@@ -17,7 +17,7 @@ import robosim.geometry.protocol.MessageLimits;
  *     of each object.
  *     {@link Long#MAX_VALUE} for no limit
  */
-public record Quotas(int connections, int objects, int requests, Duration time, long work) {
+record Quotas(int connections, int objects, int requests, Duration time, long work) {
     private static final Duration LONGEST = Duration.ofDays(1);
 
     /** A hundred times what the largest frames, pictures and steps of real robots take. */

@@ -12,7 +12,7 @@ import robosim.geometry.check.Checks;
  * @param first   the pause before the second attempt, at least a millisecond
  * @param longest the largest pause before it is shortened, from {@code first} to a day
  */
-public record Redial(Duration first, Duration longest) {
+record Redial(Duration first, Duration longest) {
     /** Pauses from half a second to half a minute. */
     public static final Redial DEFAULT = new Redial(Duration.ofMillis(500), Duration.ofSeconds(30));
 

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 
 /** A secret that peers must know. Only its digest is kept, and it is never printed. */
-public final class Secret {
+final class Secret {
     /** A shorter secret could be found by trial. */
     private static final int SHORTEST = 16;
 

@@ -13,7 +13,7 @@ import robosim.geometry.check.Checks;
  *     256 kB of it
  * @param resume how long the session of a dropped connection is kept for a JSON peer that asked for that; zero for not at all
  */
-public record Timeouts(Duration stall, Duration message, Duration idle, Duration admission, Duration resume) {
+record Timeouts(Duration stall, Duration message, Duration idle, Duration admission, Duration resume) {
     private static final Duration LONGEST = Duration.ofDays(1);
 
     /** A handshake over a slow line takes half a second; and a peer that connects has a world to send. */

@@ -6,8 +6,8 @@
  * <ul>
  *   <li>{@link GeometryServer}: serves environments that dial in
  *   <li>{@link GeometryClient}: dials an environment and serves it
- *   <li>{@link NetOptions}: the options of both ends: {@link Timeouts}, {@link Quotas}, {@link Redial}
- *   <li>{@link Access}: who may connect, by {@link Secret} and {@link Tls}
+ *   <li>{@link NetOptions}: the options of both ends: who may connect, times, sizes
+ *   <li>{@link Tls}: keys and certificates
  *   <li>{@link Session}: turns requests into answers; knows no sockets
  *   <li>{@link SessionOptions}: the world that a session makes where a request leaves it open
  *   <li>{@link SessionListener}: observes the requests and answers of a session

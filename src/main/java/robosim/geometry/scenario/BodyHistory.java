@@ -150,7 +150,7 @@ final class BodyHistory {
             Velocity velocity = velocities.get(body.objectName());
             moving.add(velocity == null ? body : body.withVelocity(velocity));
         }
-        StepBundle told = new StepBundle(0, moving, List.copyOf(commands.values()), mixing);
+        StepBundle told = new StepBundle(0, moving, List.copyOf(commands.values()), mixing, List.of());
         return List.of(now, new Step(0, List.of("the bodies as they are"), told, null, now.timing()));
     }
 }

@@ -36,7 +36,7 @@ public final class DepthFrame extends RayFrame {
 
     /**
      * The depth of a pixel along the optical axis, as depth images have it: {@code range(ray)} times how far the ray's unit
-     * direction goes forward; {@code +Infinity} where nothing echoes, and what {@link OutOfRange} says of a range that is none.
+     * direction goes forward; {@code +Infinity} where nothing echoes, and for a range that is none as {@link RaySensor#withRep117} reports it.
      */
     public double depth(int ray) {
         return depths[checked(ray)];

@@ -1,5 +1,7 @@
 package robosim.geometry.sensor;
 
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.RayPattern;
@@ -30,56 +32,48 @@ public record Intrinsics(int width, int height, double fx, double fy, double cx,
     private static final int MOST_STEPS = 100;
 
     /** How a lens bends what it shows, as OpenCV describes it. */
-    public enum Lens {
+    public static final class Distortion {
+        /** A lens that bends nothing. */
+        public static final Distortion NONE = brownConrady(0, 0, 0, 0, 0);
+
+        private final boolean isFisheye;
+        private final double first;
+        private final double second;
+        private final double third;
+        private final double fourth;
+        private final double fifth;
+
+        /** Refuses numbers that are NaN or out of range. */
+        private Distortion(boolean isFisheye, double... coefficients) {
+            this.isFisheye = isFisheye;
+            first = Checks.coordinate("first", coefficients[0]);
+            second = Checks.coordinate("second", coefficients[1]);
+            third = Checks.coordinate("third", coefficients[2]);
+            fourth = Checks.coordinate("fourth", coefficients[3]);
+            fifth = isFisheye ? 0 : Checks.coordinate("fifth", coefficients[4]);
+        }
+
         /**
          * Brown and Conrady's: {@code plumb_bob} of ROS, {@code <distortion>} of SDFormat. With x to the right, y down and
          * r<sup>2</sup> = x<sup>2</sup> + y<sup>2</sup> for each unit forward, a point is seen at x (1 + k1 r<sup>2</sup> +
          * k2 r<sup>4</sup> + k3 r<sup>6</sup>) + 2 p1 x y + p2 (r<sup>2</sup> + 2 x<sup>2</sup>), and at y likewise with p1 and
          * p2 exchanged.
          */
-        BROWN_CONRADY,
+        public static Distortion brownConrady(double k1, double k2, double p1, double p2, double k3) {
+            return new Distortion(false, k1, k2, p1, p2, k3);
+        }
+
         /**
          * A fisheye: {@code equidistant} of ROS. What is t radians off the axis is seen t (1 + k1 t<sup>2</sup> + k2
          * t<sup>4</sup> + k3 t<sup>6</sup> + k4 t<sup>8</sup>) from it. It may see more than half of the world.
          */
-        EQUIDISTANT
-    }
-
-    /**
-     * A lens with its coefficients, in the order of OpenCV.
-     *
-     * @param lens   what the numbers mean
-     * @param first  k1
-     * @param second k2
-     * @param third  p1 of Brown and Conrady, k3 of a fisheye
-     * @param fourth p2, or k4
-     * @param fifth  k3 of Brown and Conrady; 0 of a fisheye
-     */
-    public record Distortion(Lens lens, double first, double second, double third, double fourth, double fifth) {
-        /** A lens that bends nothing. */
-        public static final Distortion NONE = new Distortion(Lens.BROWN_CONRADY, 0, 0, 0, 0, 0);
-
-        /** Refuses numbers that are NaN or out of range. */
-        public Distortion {
-            Checks.present("lens", lens);
-            Checks.coordinate("first", first);
-            Checks.coordinate("second", second);
-            Checks.coordinate("third", third);
-            Checks.coordinate("fourth", fourth);
-            Checks.coordinate("fifth", fifth);
-            if (lens == Lens.EQUIDISTANT && fifth != 0) {
-                throw new IllegalArgumentException("fifth must be 0 for a fisheye (got: " + fifth + ")");
-            }
-        }
-
-        /** Of Brown and Conrady. */
-        public static Distortion brownConrady(double k1, double k2, double p1, double p2, double k3) {
-            return new Distortion(Lens.BROWN_CONRADY, k1, k2, p1, p2, k3);
-        }
-
-        /** Of an equidistant fisheye. */
         public static Distortion fisheye(double k1, double k2, double k3, double k4) {
-            return new Distortion(Lens.EQUIDISTANT, k1, k2, k3, k4, 0);
+            return new Distortion(true, k1, k2, k3, k4);
+        }
+
+        /** Whether it is a fisheye. */
+        public boolean isFisheye() {
+            return isFisheye;
         }
 
         /** Whether the camera is a pinhole. */
@@ -89,14 +83,31 @@ public record Intrinsics(int width, int height, double fx, double fy, double cx,
 
         /** The coefficients in the order of OpenCV and of a {@code CameraInfo} of ROS. */
         public double[] coefficients() {
-            return lens == Lens.EQUIDISTANT
+            return isFisheye
                     ? new double[] {first, second, third, fourth}
                     : new double[] {first, second, third, fourth, fifth};
         }
 
+        @Override
+        public boolean equals(@Nullable Object other) {
+            return other instanceof Distortion that
+                    && isFisheye == that.isFisheye
+                    && Arrays.equals(coefficients(), that.coefficients());
+        }
+
+        @Override
+        public int hashCode() {
+            return Arrays.hashCode(coefficients());
+        }
+
+        @Override
+        public String toString() {
+            return (isFisheye ? "fisheye " : "Brown-Conrady ") + Arrays.toString(coefficients());
+        }
+
         /** Writes what is seen at a place of the image, a unit in front: forward, up and to the right. */
         private boolean aim(double seenX, double seenY, double[] out, int at) {
-            if (lens == Lens.EQUIDISTANT) {
+            if (isFisheye) {
                 return aimFisheye(seenX, seenY, out, at);
             }
             double x = seenX;

@@ -23,8 +23,8 @@ import robosim.geometry.sensor.effects.NoisyFrame;
  * the position of its effect in the list, and on nothing else. So a reading is the same whatever was read before it, on any
  * number of threads, and on every JVM to the bit.
  *
- * <p>After all effects, a distance below the sensor's blind range is reported as that range, or as {@link OutOfRange}
- * says, and one beyond its range as no echo. A ray without an echo stays without one, except by {@link #falseEchoes}.
+ * <p>After all effects, a distance below the sensor's blind range is reported as that range, or by {@link
+ * RaySensor#withRep117 another value}, and one beyond its range as no echo. A ray without an echo stays without one, except by {@link #falseEchoes}.
  */
 public final class Noise {
     /** No noise: distances as they are. */

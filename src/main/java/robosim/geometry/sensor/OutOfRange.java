@@ -1,16 +1,10 @@
 package robosim.geometry.sensor;
 
-/**
- * What a sensor reports where an echo is out of its range. In either case such a ray has no point and no intensity, and
- * clouds leave it out.
- */
-public enum OutOfRange {
-    /** The blind range for an echo nearer than that, and {@code +Infinity} for none within the range. */
+/** What a sensor reports where an echo is out of its range. */
+enum OutOfRange {
+    /** See {@link RaySensor#withClampedRanges}. */
     CLAMPED,
-    /**
-     * The values of ROS (REP 117) and Gazebo: {@code -Infinity} for an echo nearer than the blind range, {@code +Infinity}
-     * for none within the range, and NaN for a reading that {@link Noise#dropout} lost.
-     */
+    /** See {@link RaySensor#withRep117}. */
     REP_117;
 
     /** What a lost reading is. */

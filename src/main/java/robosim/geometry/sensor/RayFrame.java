@@ -260,7 +260,7 @@ public abstract class RayFrame {
     /**
      * The distance that a ray measured, along the ray from the sensor; {@code +Infinity} where nothing echoes. Without noise
      * it is, to the bit, what {@link robosim.geometry.Geometry#getRayDistance} returns, unless the sensor reports what is
-     * {@linkplain OutOfRange#REP_117 out of range} in another way.
+     * {@linkplain RaySensor#withRep117 out of range} in another way.
      */
     public double range(int ray) {
         return ranges[checked(ray)];

@@ -53,16 +53,31 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
     /**
      * This sensor with other ranges.
      *
-     * @param min blind range in world units; a nearer echo is reported as {@code min}, unless {@link #withOutOfRange} says
-     *            otherwise, and still hides what is behind it
+     * @param min blind range in world units; a nearer echo is reported as {@code min}, except {@link #withRep117}, and still hides what is behind it
      * @param max range in world units, {@code min <= max}; may be infinite
      */
     public S withRange(double min, double max) {
         return with(setup.with(setup.options().withRange(min, max)));
     }
 
-    /** This sensor with other values for what is out of its range. */
-    public S withOutOfRange(OutOfRange reported) {
+    /**
+     * This sensor with the values of ROS (REP 117) and Gazebo for what is out of its range: {@code -Infinity} for an echo nearer than
+     * the blind range, {@code +Infinity} for none within the range, and NaN for a reading that {@link Noise#dropout} lost. Such a
+     * ray has no point and no intensity, and clouds leave it out.
+     */
+    public S withRep117() {
+        return withOutOfRange(OutOfRange.REP_117);
+    }
+
+    /**
+     * This sensor with the blind range for an echo nearer than that, and {@code +Infinity} for none within the range and for a lost
+     * reading, as at first for all but those from SDFormat. Such a ray has no point and no intensity either.
+     */
+    public S withClampedRanges() {
+        return withOutOfRange(OutOfRange.CLAMPED);
+    }
+
+    S withOutOfRange(OutOfRange reported) {
         return with(setup.with(reported));
     }
 
@@ -110,8 +125,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
         return setup.options();
     }
 
-    /** What is reported where an echo is out of range; {@link OutOfRange#CLAMPED} unless told otherwise. */
-    public OutOfRange outOfRange() {
+    OutOfRange outOfRange() {
         return setup.outOfRange();
     }
 

@@ -10,7 +10,7 @@
  *   <li>{@link ProximitySensor} and {@link Bumper}: the distance to what is near, and contacts
  *   <li>{@link RaySensor} and {@link RayFrame}: what sensors of rays and their frames share
  *   <li>{@link Intrinsics}: size and lens of a camera
- *   <li>{@link Noise} and {@link OutOfRange}: what a sensor gets wrong, and what it reports out of range
+ *   <li>{@link Noise}: what a sensor gets wrong
  *   <li>{@link PointCloud}: points with their fields; writes PLY and PCD
  *   <li>{@link NpyWriter}: arrays for NumPy
  * </ul>

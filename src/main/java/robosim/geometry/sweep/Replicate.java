@@ -2,6 +2,7 @@ package robosim.geometry.sweep;
 
 import java.util.Collections;
 import java.util.SortedMap;
+import java.util.random.RandomGenerator;
 import robosim.geometry.Geometry;
 
 /** One replicate as a scenario sees it: its own world, its own random stream, and the parameters' values. */
@@ -40,8 +41,12 @@ public final class Replicate {
         return worldName;
     }
 
-    /** The random stream of this replicate alone. */
-    public SeededRandom random() {
+    /**
+     * The random stream of this replicate alone: SplitMix64 (Steele, Lea and Flood 2014) from {@link #seed}. Its {@code nextLong},
+     * {@code nextInt}, {@code nextBoolean}, {@code nextDouble} and {@code nextGaussian} give the same bits on every JVM, and will
+     * never change; the other methods of a {@link RandomGenerator} are the JDK's and may change with it.
+     */
+    public RandomGenerator random() {
         return random;
     }
 
@@ -49,7 +54,7 @@ public final class Replicate {
      * A random stream shared by all replicates of this number, in all worlds and for all values of parameters (common
      * random numbers): comparisons based on the same draws need fewer replicates.
      */
-    public SeededRandom pairedRandom() {
+    public RandomGenerator pairedRandom() {
         return pairedRandom;
     }
 

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.function.Function;
+import java.util.random.RandomGenerator;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -289,7 +290,7 @@ public final class ScenarioSweep implements SweepScenario {
     public Result run(Replicate replicate) {
         double place = amount(replicate, PLACE);
         double heading = amount(replicate, HEADING);
-        SeededRandom random = replicate.pairedRandom();
+        RandomGenerator random = replicate.pairedRandom();
         SeededRandom noise = new SeededRandom(random.nextLong());
         int stuck = place == 0 && heading == 0 ? 0 : scatter(replicate.world(), random.nextLong(), place, heading);
         Noise errors =
@@ -333,7 +334,7 @@ public final class ScenarioSweep implements SweepScenario {
         for (DriveCommand command : step.commands()) {
             commands.add(errors.slipped(command, speed, turn));
         }
-        return new StepBundle(step.seconds(), bodies, commands, step.mixing());
+        return new StepBundle(step.seconds(), bodies, commands, step.mixing(), step.pushes());
     }
 
     private static double amount(Replicate replicate, String parameter) {

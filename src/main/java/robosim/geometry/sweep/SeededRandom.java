@@ -8,7 +8,7 @@ import robosim.geometry.check.Checks;
  * methods implemented here will never change; the others of {@link RandomGenerator} are the JDK's and may change with
  * it.
  */
-public final class SeededRandom implements RandomGenerator {
+final class SeededRandom implements RandomGenerator {
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
 
     private long state;
@@ -16,7 +16,7 @@ public final class SeededRandom implements RandomGenerator {
     private boolean hasSpare;
 
     /** A generator at the beginning of its stream. */
-    public SeededRandom(long seed) {
+    SeededRandom(long seed) {
         state = seed;
     }
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.check.NumberText;
 
@@ -23,7 +24,7 @@ public final class SweepSummary implements Consumer<Outcome> {
      * @param world      the world's name
      * @param parameters the values, by name
      */
-    public record Cell(String world, Map<String, String> parameters) {}
+    record Cell(String world, Map<String, String> parameters) {}
 
     /**
      * Statistics of one number over the replicates of a cell; replicates without a value, as for a beam without an
@@ -100,8 +101,23 @@ public final class SweepSummary implements Consumer<Outcome> {
                         spreads.computeIfAbsent(name, n -> new Spread()).add(value));
     }
 
+    /**
+     * The statistics of one number for a world and one combination of values; null if no outcome has it.
+     *
+     * @param world      the world's name
+     * @param parameters the values, by name
+     * @param number     the name of the number
+     */
+    public @Nullable Spread spread(String world, Map<String, String> parameters, String number) {
+        Checks.present("world", world);
+        Checks.present("parameters", parameters);
+        Checks.present("number", number);
+        return cells.getOrDefault(new Cell(world, Map.copyOf(parameters)), Map.of())
+                .get(number);
+    }
+
     /** The statistics by cell and number, in order of first appearance. */
-    public Map<Cell, Map<String, Spread>> cells() {
+    Map<Cell, Map<String, Spread>> cells() {
         return Collections.unmodifiableMap(cells);
     }
 

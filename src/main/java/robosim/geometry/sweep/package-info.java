@@ -10,7 +10,6 @@
  *   <li>{@link SweepRun}: runs a sweep, or a {@link Shard} of it, into a file
  *   <li>{@link SweepResults}: reads files of results: a {@link SweepHeader}, and each {@link Outcome}
  *   <li>{@link SweepSummary}: means and spreads, as a table or a picture
- *   <li>{@link SeededRandom}: random numbers that are the same everywhere
  * </ul>
  *
  * <!-- java: given SweepScenario wayOut -->

@@ -19,7 +19,6 @@ import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.Noise;
 import robosim.geometry.sensor.NormalCamera;
-import robosim.geometry.sensor.OutOfRange;
 import robosim.geometry.sensor.RaySensor;
 import robosim.geometry.sensor.SegmentationCamera;
 import robosim.geometry.world.sdf.SdfFiles;
@@ -37,7 +36,7 @@ import robosim.geometry.world.shared.FileProblem;
  * <p>What a file leaves out has SDFormat's own values: a lidar of 640 rays straight ahead, a camera of 320 x 240 pixels and
  * 1.047 radians that sees from 0.1 to 100 m. A lidar has {@code samples} times {@code resolution} rays in each direction; its
  * rays are sent all at once, as SDFormat's are. Near and far ends of a camera's view are taken along its rays. What is out of
- * range is reported as Gazebo does: {@link OutOfRange#REP_117}. The {@code resolution} of a range is not applied, as Gazebo
+ * range is reported as Gazebo does: {@link RaySensor#withRep117}. The {@code resolution} of a range is not applied, as Gazebo
  * does not apply it; {@link Noise#quantized} does.
  *
  * @param name    those of its models, its link and its own, separated by {@code ::}
@@ -203,7 +202,7 @@ public record SdfSensor(
                     : RayPattern.layers(elevations, first, aside, columns);
             double min = number("range/min", 0);
             double max = number("range/max", Double.POSITIVE_INFINITY);
-            return mounted(Lidar.of(pattern, SenseOptions.range(min, max)).withOutOfRange(OutOfRange.REP_117));
+            return mounted(Lidar.of(pattern, SenseOptions.range(min, max)).withRep117());
         } catch (IllegalArgumentException e) {
             throw refused(e);
         }
@@ -285,7 +284,7 @@ public record SdfSensor(
         try {
             double near = number("clip/near", 0.1);
             S ranged = camera.withRange(near, number("clip/far", 100));
-            return mounted(ranged.withOutOfRange(OutOfRange.REP_117));
+            return mounted(ranged.withRep117());
         } catch (IllegalArgumentException e) {
             throw refused(e);
         }

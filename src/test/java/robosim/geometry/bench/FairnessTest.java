@@ -17,7 +17,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
-import robosim.geometry.net.Quotas;
 import robosim.geometry.scenario.drive.WorldLoading;
 
 /**
@@ -43,7 +42,7 @@ class FairnessTest {
     void mixedRequestsAreLegal() throws Exception {
         NetOptions options = NetOptions.defaults()
                 .withWorlds(WorldLoading.of(null, List.of()))
-                .withQuotas(Quotas.DEFAULT.withRequestLimit(Duration.ofMillis(20), Long.MAX_VALUE));
+                .withRequestLimit(Duration.ofMillis(20), Long.MAX_VALUE);
         int carriedOut = 0;
         try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options);
                 Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());

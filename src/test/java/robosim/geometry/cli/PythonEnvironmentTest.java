@@ -32,7 +32,6 @@ import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
-import robosim.geometry.net.Secret;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.scenario.drive.WorldLoading;
@@ -202,7 +201,7 @@ class PythonEnvironmentTest {
     void tellsTheSecretOfAFile(@TempDir Path folder) throws Exception {
         Path file = folder.resolve("secret");
         Files.writeString(file, "a secret of \u00e9leven words \nand a remark\n");
-        Secret secret = Secret.of("a secret of \u00e9leven words ".toCharArray());
+        char[] secret = "a secret of \u00e9leven words ".toCharArray();
         try (GeometryServer server =
                 new GeometryServer(InetAddress.getLoopbackAddress(), 0, options.withAccess(null, secret))) {
             Process process = start(
@@ -408,7 +407,7 @@ class PythonEnvironmentTest {
                 GeometryServer server = new GeometryServer(
                         InetAddress.getLoopbackAddress(),
                         0,
-                        options.withAccess(null, Secret.of("a secret of many words".toCharArray())))) {
+                        options.withAccess(null, "a secret of many words".toCharArray()))) {
             String port = String.valueOf(taken.getLocalPort());
             String place = "127.0.0.1:" + server.port();
             refused("port " + port + " cannot be listened on", "--world", rooms, "--listen", port);

@@ -170,7 +170,9 @@ class GroupMaterialsTest {
                     false,
                     false,
                     true,
-                    null);
+                    null,
+                    false,
+                    List.of());
             SenseAnswer answer =
                     (SenseAnswer) ((BatchAnswerBundle) session.reply(new BatchRequestBundle(List.of(request)))
                                     .bundle())

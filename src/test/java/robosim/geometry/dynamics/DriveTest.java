@@ -14,7 +14,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Twist;
-import robosim.geometry.net.session.BodyRequests;
+import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.world.body.ObjectBody;
 
 class DriveTest {
@@ -159,9 +159,8 @@ class DriveTest {
         AckermannDrive car = new AckermannDrive(1, 35, NONE, NONE).withCentreAhead(0.5);
         assertThat(car.driving(1, 5).centreAhead()).isEqualTo(0.5);
         assertThatThrownBy(() -> car.withCentreAhead(NONE)).hasMessageStartingWith("centreAhead ");
-        assertThatThrownBy(() -> BodyRequests.of(car))
-                .hasMessageStartingWith("drive must have its centre on its rear axle");
-        assertThatThrownBy(() -> new ObjectBody(0, 0, Surface.SMOOTH, 0, 0, 0, NONE, NONE, car))
+        assertThat(DriveSettings.of(car).centreAhead()).isEqualTo(0.5);
+        assertThatThrownBy(() -> new ObjectBody(0, 0, Surface.SMOOTH, 0, 0, 0, NONE, NONE, 0, 0, car))
                 .hasMessageStartingWith("drive must have its centre on its rear axle");
     }
 

@@ -35,6 +35,7 @@ import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
@@ -202,7 +203,11 @@ class PageDataTest {
                 6,
                 0,
                 false,
-                false);
+                false,
+                false,
+                ScanMotion.NONE,
+                false,
+                List.of());
         Talk talk = Talk.begun();
         for (int k = 0; k < 5; k++) {
             talk.step(new BatchRequestBundle(List.of(laser)), null)

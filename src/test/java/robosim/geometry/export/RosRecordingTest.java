@@ -39,6 +39,7 @@ import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.PictureRequest;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
@@ -184,7 +185,19 @@ class RosRecordingTest {
     void sensorsMeasureInTheirFrames() throws Exception {
         Mount mount = new Mount(new Point(0.1, 0.2, 0));
         List<BatchRequest> sensors = List.of(
-                new SenseRequest("robot 1", mount, new BeamPattern.Fan(-0.25, 0.25, 4), 0.1, 20, 0, false, false),
+                new SenseRequest(
+                        "robot 1",
+                        mount,
+                        new BeamPattern.Fan(-0.25, 0.25, 4),
+                        0.1,
+                        20,
+                        0,
+                        false,
+                        false,
+                        false,
+                        ScanMotion.NONE,
+                        false,
+                        List.of()),
                 new SenseRequest(
                         "robot 1",
                         mount,
@@ -193,9 +206,37 @@ class RosRecordingTest {
                         Double.POSITIVE_INFINITY,
                         0,
                         false,
-                        false),
-                new SenseRequest("robot 1", mount, new BeamPattern.Pinhole(4, 2, 1), 0, 20, 0, false, false),
-                new SenseRequest("robot 1", mount, new BeamPattern.Fan(0, 0.1, 2), 0, 5, 0.2, false, false),
+                        false,
+                        false,
+                        ScanMotion.NONE,
+                        false,
+                        List.of()),
+                new SenseRequest(
+                        "robot 1",
+                        mount,
+                        new BeamPattern.Pinhole(4, 2, 1),
+                        0,
+                        20,
+                        0,
+                        false,
+                        false,
+                        false,
+                        ScanMotion.NONE,
+                        false,
+                        List.of()),
+                new SenseRequest(
+                        "robot 1",
+                        mount,
+                        new BeamPattern.Fan(0, 0.1, 2),
+                        0,
+                        5,
+                        0.2,
+                        false,
+                        false,
+                        false,
+                        ScanMotion.NONE,
+                        false,
+                        List.of()),
                 new PictureRequest("robot 1", mount, new BeamPattern.Pinhole(4, 2, 1)));
         DecodedMcap mcap = write(
                 0.1,

@@ -27,6 +27,7 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.Mount;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.motion.BodyRequest;
 import robosim.geometry.protocol.motion.DriveCommand;
@@ -135,7 +136,18 @@ class WpilogWriterTest {
                 RosRecordingTest.world(),
                 new SonarRequestBundle(List.of(new SonarRequest("robot 1", 1, 0))),
                 new BatchRequestBundle(List.of(new SenseRequest(
-                        "robot 1", mount, new BeamPattern.Fan(-0.25, 0.25, 3), 0.1, 20, 0, false, false))));
+                        "robot 1",
+                        mount,
+                        new BeamPattern.Fan(-0.25, 0.25, 3),
+                        0.1,
+                        20,
+                        0,
+                        false,
+                        false,
+                        false,
+                        ScanMotion.NONE,
+                        false,
+                        List.of()))));
         // The wall's near side is at X = 2.9; the sonar's cone is wide, but reaches nothing nearer.
         assertThat(of(log, "/robot_1/range").get(0).doubles()).containsExactly(new double[] {2.9}, within(1e-6));
         Value scan = of(log, "/robot_1/scan_2").get(0);

@@ -28,7 +28,7 @@ import robosim.geometry.protocol.MoveRequest;
 class AccessTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
     private static final String WORD = "correct horse battery staple";
-    private static final Secret SECRET = Secret.of(WORD.toCharArray());
+    private static final char[] SECRET = WORD.toCharArray();
 
     @TempDir
     static Path folder;
@@ -45,7 +45,7 @@ class AccessTest {
     }
 
     // Long enough for a first handshake on a busy machine.
-    private static NetOptions options(@Nullable Tls tls, @Nullable Secret secret) {
+    private static NetOptions options(@Nullable Tls tls, char @Nullable [] secret) {
         return NetOptions.defaults().withAccess(tls, secret).withTimes(Duration.ofSeconds(5), Duration.ofSeconds(20));
     }
 

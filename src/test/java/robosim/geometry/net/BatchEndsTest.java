@@ -28,6 +28,7 @@ import robosim.geometry.protocol.batch.FreeEdgesRequest;
 import robosim.geometry.protocol.batch.FreePosesRequest;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.json.JsonLines;
@@ -49,7 +50,11 @@ class BatchEndsTest {
                     9,
                     0,
                     false,
-                    true),
+                    true,
+                    false,
+                    ScanMotion.NONE,
+                    false,
+                    List.of()),
             new FreePosesRequest("robot", Numbers.of(0, 0, 0, 0, 3, 0, 0, 1, 1, 0, 0, 2)),
             new FreeEdgesRequest("robot", Numbers.of(0, 0, 0, 0, 6, 0, 0, 0)),
             new SenseRequest("rover", new BeamPattern.Fan(0, 0, 1))));

@@ -97,7 +97,8 @@ class BatchSessionTest {
     }
 
     private static SenseRequest sense(Mount mount, BeamPattern pattern, double width, boolean seen, boolean normals) {
-        return new SenseRequest("robot", mount, pattern, 0.3, 12, width, seen, normals);
+        return new SenseRequest(
+                "robot", mount, pattern, 0.3, 12, width, seen, normals, false, ScanMotion.NONE, false, List.of());
     }
 
     /** What is nearer than the blind range is marked, and what echoes there or beyond has the same bits as ever. */
@@ -133,7 +134,8 @@ class BatchSessionTest {
     }
 
     private static SenseRequest range(BeamPattern pattern, double min, double width) {
-        return new SenseRequest("robot", Mount.CENTER, pattern, min, 12, width, false, false);
+        return new SenseRequest(
+                "robot", Mount.CENTER, pattern, min, 12, width, false, false, false, ScanMotion.NONE, false, List.of());
     }
 
     private static void same(SenseAnswer answer, Geometry world, SenseRequest request, RayPattern pattern) {
@@ -220,7 +222,9 @@ class BatchSessionTest {
                             false,
                             normals,
                             true,
-                            moving);
+                            moving,
+                            false,
+                            List.of());
                     SenseAnswer answer = (SenseAnswer) ask(request).get(0);
                     assertThat(answer.fits(request)).isTrue();
                     SenseBuffer seen = new SenseBuffer(
@@ -270,8 +274,19 @@ class BatchSessionTest {
         int robots = 0;
         for (ScanMotion moving : new ScanMotion[] {ScanMotion.NONE, new ScanMotion(0.5, 2, 0, 0.5, Math.PI / 2)}) {
             boolean isStill = moving.equals(ScanMotion.NONE);
-            SenseRequest request =
-                    new SenseRequest("", tower, new BeamPattern.Fan(0, 0.01, 600), 0, 15, 0, false, true, true, moving);
+            SenseRequest request = new SenseRequest(
+                    "",
+                    tower,
+                    new BeamPattern.Fan(0, 0.01, 600),
+                    0,
+                    15,
+                    0,
+                    false,
+                    true,
+                    true,
+                    moving,
+                    false,
+                    List.of());
             SenseAnswer answer = (SenseAnswer) ask(request).get(0);
             SenseBuffer seen =
                     new SenseBuffer(SenseBuffer.Extra.OBJECTS, SenseBuffer.Extra.PARTS, SenseBuffer.Extra.NORMALS);
@@ -295,8 +310,19 @@ class BatchSessionTest {
         }
         assertThat(robots).as("a fixed sensor sees robots too").isPositive();
         Session empty = new Session();
-        Reply none = Objects.requireNonNull(empty.reply(new BatchRequestBundle(
-                List.of(new SenseRequest("", tower, new BeamPattern.Fan(0, 0, 1), 0, 1, 0, false, false)))));
+        Reply none = Objects.requireNonNull(empty.reply(new BatchRequestBundle(List.of(new SenseRequest(
+                "",
+                tower,
+                new BeamPattern.Fan(0, 0, 1),
+                0,
+                1,
+                0,
+                false,
+                false,
+                false,
+                ScanMotion.NONE,
+                false,
+                List.of())))));
         assertThat(none.problems()).extracting(Object::toString).containsExactly("0: there is no world yet");
     }
 
@@ -345,9 +371,20 @@ class BatchSessionTest {
                 // The nearest double to each angle in radians becomes the double of degrees again.
                 BeamPattern pattern = new BeamPattern.Fan(-Math.PI, Degrees.toRadians(2.25), 160);
                 assertThat(Degrees.toDegrees(Degrees.toRadians(2.25))).isEqualTo(2.25);
-                SenseAnswer all =
-                        (SenseAnswer) ask(new SenseRequest("cart", Mount.CENTER, pattern, 0.1, 9, width, false, false))
-                                .get(0);
+                SenseAnswer all = (SenseAnswer) ask(new SenseRequest(
+                                "cart",
+                                Mount.CENTER,
+                                pattern,
+                                0.1,
+                                9,
+                                width,
+                                false,
+                                false,
+                                false,
+                                ScanMotion.NONE,
+                                false,
+                                List.of()))
+                        .get(0);
                 assertThat(all.distances()).isEqualTo(new Numbers(singles));
                 assertThat(singles).contains(INFINITY);
                 assertThat(Arrays.stream(singles)

@@ -93,7 +93,7 @@ class CertificatesTest {
                 Peer first = secured(server.port(), "environment")) {
             assertThat(first.move(NOBODY)).isEmpty();
             stores.trust("module", "stranger");
-            server.renew(new Access(stores.of("module"), null));
+            server.renew(stores.of("module"), null);
             try (Peer stranger = secured(server.port(), "stranger");
                     Peer second = secured(server.port(), "environment")) {
                 assertThat(stranger.move(NOBODY)).isEmpty();
@@ -106,7 +106,7 @@ class CertificatesTest {
         }
         try (GeometryServer server = new GeometryServer(
                 InetAddress.getByName("0.0.0.0"), 0, NetOptions.defaults().withAccess(stores.of("module"), null))) {
-            assertThatThrownBy(() -> server.renew(Access.ANYBODY)).hasMessageContaining("must authenticate its peers");
+            assertThatThrownBy(() -> server.renew(null, null)).hasMessageContaining("must authenticate its peers");
         }
     }
 }

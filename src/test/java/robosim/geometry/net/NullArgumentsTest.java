@@ -25,8 +25,12 @@ import javax.net.ssl.SSLContext;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.Body;
+import robosim.geometry.dynamics.Surface;
+import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Twist;
 import robosim.geometry.protocol.BatchAnswerBundle;
 import robosim.geometry.protocol.BatchRequestBundle;
 import robosim.geometry.protocol.Beam;
@@ -40,6 +44,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.protocol.json.PeerAdmission;
@@ -100,6 +105,10 @@ class NullArgumentsTest {
             InetAddress.getLoopbackAddress(),
             Duration.ofSeconds(1),
             SSLContext.getDefault(),
+            new VelocityDrive(Twist.drive(0, 0)),
+            Body.of(1, 1),
+            Surface.Mixing.MEAN,
+            new StepBundle.Answer(List.of(), List.of(), List.of()),
             MessageTranslator.RECORDS,
             MessagePace.NONE,
             PeerAdmission.OPEN,

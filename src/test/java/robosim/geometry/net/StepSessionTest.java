@@ -147,7 +147,9 @@ class StepSessionTest {
                                         Math.PI,
                                         0.125,
                                         null,
-                                        null),
+                                        null,
+                                        0,
+                                        0),
                                 BodyRequest.of("cart").withMass(20).withDrive(DriveSettings.DEFAULT),
                                 BodyRequest.of("wall").withSurface(new SurfaceSettings(0.25, 0, 0))),
                         List.of()));
@@ -506,8 +508,8 @@ class StepSessionTest {
         double[] after = {0, -1, -1, 0};
         for (int k = 0; k < given.length; k++) {
             session.reply(new BatchRequestBundle(List.of(new WorldRequest.Place("ball", new Point(), 0))));
-            StepBundle.Answer answer =
-                    step(session, new StepBundle(3, List.of(ball.withFloorFriction(0)), List.of(), given[k]));
+            StepBundle.Answer answer = step(
+                    session, new StepBundle(3, List.of(ball.withFloorFriction(0)), List.of(), given[k], List.of()));
             assertThat(answer.bodies().get(0).velocity().x()).as("step " + k).isCloseTo(after[k], within(1e-9));
         }
     }

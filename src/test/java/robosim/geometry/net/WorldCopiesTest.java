@@ -54,7 +54,8 @@ class WorldCopiesTest {
                 0,
                 List.of(BodyRequest.of("robot"), BodyRequest.of("crate")),
                 List.of(),
-                new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.SMALLER));
+                new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.SMALLER),
+                List.of());
     }
 
     private static Session begun(int start) {

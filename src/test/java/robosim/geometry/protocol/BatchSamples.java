@@ -52,7 +52,11 @@ public final class BatchSamples {
                         30,
                         0,
                         true,
-                        true),
+                        true,
+                        false,
+                        ScanMotion.NONE,
+                        false,
+                        List.of()),
                 new SenseRequest(
                         "\u00e9\ud83e\udd16",
                         new Mount(new Point(0, 1, 0)),
@@ -61,7 +65,11 @@ public final class BatchSamples {
                         INFINITY,
                         Math.nextDown(Math.PI),
                         false,
-                        false),
+                        false,
+                        false,
+                        ScanMotion.NONE,
+                        false,
+                        List.of()),
                 new SenseRequest("", new BeamPattern.Directions(Numbers.of(1, -0.0, 0, 0x1p100, 1e-300, -2))),
                 new FreePosesRequest("robot", Numbers.of(1, 2, 3, Math.PI / 2, -0.0, 0, 1e-320, -7)),
                 new FreePosesRequest("robot", Numbers.NONE),
@@ -92,7 +100,9 @@ public final class BatchSamples {
                         false,
                         false,
                         true,
-                        new ScanMotion(0.1, -1, 0.5, 1e-300, -7)))),
+                        new ScanMotion(0.1, -1, 0.5, 1e-300, -7),
+                        false,
+                        List.of()))),
                 new BatchAnswerBundle(List.of(
                         new SenseAnswer(
                                 Numbers.of(3, INFINITY, 1),
@@ -235,7 +245,9 @@ public final class BatchSamples {
                                 false,
                                 true,
                                 true,
-                                new ScanMotion(0.1, 1, 0, 0, 2)))),
+                                new ScanMotion(0.1, 1, 0, 0, 2),
+                                false,
+                                List.of()))),
                 new BatchAnswerBundle(List.of(
                         new WorldAnswer.Identified(new WorldAnswer.Changed(true, null), List.of()),
                         new WorldAnswer.Identified(new WorldAnswer.Changed(false, null), List.of()),
@@ -284,7 +296,8 @@ public final class BatchSamples {
                         0.5,
                         List.of(),
                         List.of(),
-                        new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.PRODUCT)));
+                        new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.PRODUCT),
+                        List.of()));
     }
 
     /** What came after those: what is in the world. */

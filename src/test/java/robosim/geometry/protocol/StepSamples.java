@@ -44,7 +44,9 @@ public final class StepSamples {
                 4,
                 0.25,
                 DriveSettings.DEFAULT,
-                new Velocity(1, 0, -2, 0.5)));
+                new Velocity(1, 0, -2, 0.5),
+                0,
+                0));
         for (DriveSettings.Kind kind : STORED) {
             bodies.add(BodyRequest.of("robot " + kind).withDrive(DriveSettings.of(kind)));
         }

@@ -30,6 +30,7 @@ import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
 import robosim.geometry.protocol.batch.Numbers;
 import robosim.geometry.protocol.batch.Obstacle;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldAnswer;
@@ -43,7 +44,19 @@ class BatchReplayTest {
             new CylinderObject(new Point(), 0.25, 1).moveable("robot")));
 
     private static final BatchRequestBundle BATCH = new BatchRequestBundle(List.of(
-            new SenseRequest("robot", Mount.CENTER, new BeamPattern.Fan(0, 1.5, 3), 0, 9, 0, false, true),
+            new SenseRequest(
+                    "robot",
+                    Mount.CENTER,
+                    new BeamPattern.Fan(0, 1.5, 3),
+                    0,
+                    9,
+                    0,
+                    false,
+                    true,
+                    false,
+                    ScanMotion.NONE,
+                    false,
+                    List.of()),
             new FreePosesRequest("robot", Numbers.of(0, 0, 0, 0, 3, 0, 0, 0)),
             new SenseRequest("rover", new BeamPattern.Fan(0, 0, 1))));
 

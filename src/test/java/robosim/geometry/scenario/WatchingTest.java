@@ -106,7 +106,8 @@ class WatchingTest {
                         BodyRequest.of("crate").withMass(2).withVelocity(new Velocity(0, 0, 0.25, 1.1)),
                         BodyRequest.of("nobody")),
                 List.of(new DriveCommand("r", 1, 0, 0.3)),
-                new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.MEAN)));
+                new SurfaceMixing(SurfaceMixing.Rule.LARGER, SurfaceMixing.Rule.MEAN),
+                List.of()));
         return held;
     }
 

@@ -45,9 +45,9 @@ class SweepSummaryTest {
         double deviation = squares.divide(count.subtract(BigDecimal.ONE), MathContext.DECIMAL128)
                 .sqrt(MathContext.DECIMAL128)
                 .doubleValue();
-        SweepSummary.Spread spread = summary.cells()
-                .get(new SweepSummary.Cell("rooms", Map.of("step", "1")))
-                .get("nearest [m]");
+        SweepSummary.Spread spread = summary.spread("rooms", Map.of("step", "1"), "nearest [m]");
+        assertThat(summary.spread("rooms", Map.of("step", "9"), "nearest [m]")).isNull();
+        assertThat(summary.spread("rooms", Map.of("step", "1"), "farthest [m]")).isNull();
         assertThat(spread).isNotNull();
         assertThat(spread.mean()).isCloseTo(mean.doubleValue(), Offset.offset(1e-8));
         assertThat(spread.deviation()).isCloseTo(deviation, Offset.offset(1e-8));

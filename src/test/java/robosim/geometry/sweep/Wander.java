@@ -1,5 +1,6 @@
 package robosim.geometry.sweep;
 
+import java.util.random.RandomGenerator;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 
@@ -22,7 +23,7 @@ public final class Wander implements SweepScenario {
     @Override
     public Result run(Replicate replicate) throws Exception {
         Thread.sleep(pauseMillis);
-        SeededRandom random = replicate.random();
+        RandomGenerator random = replicate.random();
         if (random.nextInt(40) == 0) {
             throw new IllegalStateException("a flat battery");
         }

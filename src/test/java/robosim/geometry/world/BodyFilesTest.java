@@ -100,7 +100,7 @@ class BodyFilesTest {
         assertThat(body("<sonar count=\"2\"/><body mass=\"5\" inertia=\"0.5\" restitution=\"0.25\" friction=\"0.5\""
                         + " slidingFriction=\"0.4\" floorFriction=\"0\" damping=\"1\" turnDamping=\"2\" maxSpeed=\"3\""
                         + " maxTurn=\"90\"/>"))
-                .isEqualTo(new ObjectBody(5, 0.5, new Surface(0.25, 0.5, 0.4), 0, 1, 2, 3, 90, null));
+                .isEqualTo(new ObjectBody(5, 0.5, new Surface(0.25, 0.5, 0.4), 0, 1, 2, 3, 90, 0, 0, null));
         assertThat(Objects.requireNonNull(body("<body friction=\"0.5\"/>")).surface())
                 .isEqualTo(new Surface(0, 0.5, 0.5));
     }

@@ -27,7 +27,6 @@ import robosim.geometry.sensor.Intrinsics;
 import robosim.geometry.sensor.Lidar;
 import robosim.geometry.sensor.LidarFrame;
 import robosim.geometry.sensor.Noise;
-import robosim.geometry.sensor.OutOfRange;
 
 /** Sensors as worlds of Gazebo describe them. */
 public class SdfSensorTest {
@@ -95,7 +94,7 @@ public class SdfSensorTest {
         Lidar lidar = laser.lidar();
         assertThat(lidar.pattern().size()).isEqualTo(640);
         assertThat(lidar.options()).isEqualTo(SenseOptions.range(0.08, 9));
-        assertThat(lidar.outOfRange()).isEqualTo(OutOfRange.REP_117);
+        assertThat(lidar).isEqualTo(lidar.withRep117()).isNotEqualTo(lidar.withClampedRanges());
         Geometry world = SdfReader.read(REAL, List.of()).world().toGeometry();
         LidarFrame frame = new LidarFrame();
         lidar.read(world, frame);

@@ -15,10 +15,7 @@ import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.NetOptions;
-import robosim.geometry.net.Quotas;
-import robosim.geometry.net.Redial;
 import robosim.geometry.net.SessionListener;
-import robosim.geometry.net.Timeouts;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.scenario.drive.WorldLoading;
 
@@ -61,10 +58,7 @@ public final class ConnectCommand implements Callable<Integer> {
     public Integer call() {
         Arguments.port(port, 1);
         NetOptions options = observers
-                .recordedInFile(common.options(
-                        Quotas.DEFAULT.connections(),
-                        Timeouts.DEFAULT.admission().toSeconds()))
-                .withRedial(once ? null : Redial.DEFAULT)
+                .recordedInFile(common.options(given -> once ? given : given.withRedial()))
                 .withWorlds(WorldLoading.of(null, List.of()));
         AtomicBoolean isAsked = new AtomicBoolean();
         options = options.withListeners(told(options.listeners(), isAsked));

@@ -7,19 +7,17 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
 import robosim.geometry.cli.terminal.Arguments;
 import robosim.geometry.cli.terminal.UsageException;
-import robosim.geometry.net.Access;
 import robosim.geometry.net.NetOptions;
-import robosim.geometry.net.Quotas;
-import robosim.geometry.net.Secret;
-import robosim.geometry.net.Timeouts;
 import robosim.geometry.net.Tls;
+import robosim.geometry.protocol.MessageLimits;
 
 /** Options that {@code serve} and {@code connect} share. Passwords and secrets are never arguments. */
 public final class ConnectionOptions {
@@ -58,13 +56,13 @@ public final class ConnectionOptions {
             names = "--max-objects",
             paramLabel = "N",
             description = "maximum number of objects in a world; of a group, its members")
-    private int objects = Quotas.DEFAULT.objects();
+    private int objects = MessageLimits.MAX_LIST_LENGTH;
 
     @Option(
             names = "--max-requests",
             paramLabel = "N",
             description = "maximum number of moves or sonar requests in a bundle, or of beams, poses, edges and pixels")
-    private int requests = Quotas.DEFAULT.requests();
+    private int requests = MessageLimits.MAX_LIST_LENGTH;
 
     @Option(
             names = "--request-time",
@@ -151,22 +149,23 @@ public final class ConnectionOptions {
         private @Nullable String variable;
     }
 
-    /** The options as given; a bad value is refused as a usage error. */
-    NetOptions options(int connections, long admission) {
+    /** The options as given, and more of them; a bad value is refused as a usage error. */
+    NetOptions options(UnaryOperator<NetOptions> more) {
         useLog();
+        char @Nullable [] letters = null;
         try {
-            return NetOptions.defaults()
-                    .withTimeouts(new Timeouts(
-                            Duration.ofSeconds(stall),
-                            Duration.ofSeconds(messageTime),
-                            Duration.ofSeconds(idle),
-                            Duration.ofSeconds(admission),
-                            Duration.ofSeconds(resume)))
-                    .withQuotas(new Quotas(connections, objects, requests)
-                            .withRequestLimit(Duration.ofNanos((long) (requestTime * 1e9)), requestWork))
-                    .withAccess(access());
+            letters = secret();
+            return more.apply(NetOptions.defaults()
+                    .withTimes(Duration.ofSeconds(stall), Duration.ofSeconds(messageTime))
+                    .withIdle(Duration.ofSeconds(idle))
+                    .withResume(Duration.ofSeconds(resume))
+                    .withSizes(objects, requests)
+                    .withRequestLimit(Duration.ofNanos((long) (requestTime * 1e9)), requestWork)
+                    .withAccess(tls(), letters));
         } catch (IllegalArgumentException e) {
             throw new UsageException(String.valueOf(e.getMessage()), e);
+        } finally {
+            blank(letters);
         }
     }
 
@@ -175,17 +174,33 @@ public final class ConnectionOptions {
         LogLines.use(log.equals("json") ? LogLines.Form.JSON : LogLines.Form.TEXT);
     }
 
-    private Access access() {
-        return new Access(tls(), secret());
-    }
-
     /** Has keys, certificates and secrets that are in files renewed when the files change. */
-    void keepFresh(Consumer<Access> renew) {
+    void keepFresh(BiConsumer<@Nullable Tls, char @Nullable []> renew) {
         Stores tls = stores;
         Stream<@Nullable Path> files = Stream.concat(
                 tls == null ? Stream.of() : Stream.of(tls.key, tls.trust, tls.password.file),
                 secret == null ? Stream.of() : Stream.of(secret.file));
-        new Renewal(files.filter(Objects::nonNull).toList(), this::access, renew).start();
+        new Renewal(files.filter(Objects::nonNull).toList(), () -> renewBy(renew)).start();
+    }
+
+    private void renewBy(BiConsumer<@Nullable Tls, char @Nullable []> renew) {
+        char @Nullable [] letters = secret();
+        try {
+            renew.accept(tls(), letters);
+        } finally {
+            blank(letters);
+        }
+    }
+
+    /** The secret, for its reader to blank; null without one. */
+    private char @Nullable [] secret() {
+        return secret == null ? null : read(secret.file, secret.variable, "--secret");
+    }
+
+    private static void blank(char @Nullable [] letters) {
+        if (letters != null) {
+            Arrays.fill(letters, ' ');
+        }
     }
 
     /** 0 for never. */
@@ -203,18 +218,6 @@ public final class ConnectionOptions {
             return Tls.load(stores.key, password, stores.trust, password);
         } finally {
             Arrays.fill(password, ' ');
-        }
-    }
-
-    private @Nullable Secret secret() {
-        if (secret == null) {
-            return null;
-        }
-        char[] letters = read(secret.file, secret.variable, "--secret");
-        try {
-            return Secret.of(letters);
-        } finally {
-            Arrays.fill(letters, ' ');
         }
     }
 

@@ -6,9 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Consumer;
-import java.util.function.Supplier;
-import robosim.geometry.net.Access;
 import robosim.geometry.net.GeometryServer;
 
 /** Reads keys, certificates and secrets again when their files change, for connections from then on. */
@@ -17,18 +14,16 @@ final class Renewal {
     private static final long SECONDS = 2;
 
     private final List<Path> files;
-    private final Supplier<Access> read;
-    private final Consumer<Access> renew;
+    private final Runnable renew;
 
     /** What the files were like when they were last read, and at the last look. */
     private List<String> used;
 
     private List<String> seen;
 
-    /** Files that have just been read by {@code read}, which fails with an IllegalArgumentException that says why. */
-    Renewal(List<Path> files, Supplier<Access> read, Consumer<Access> renew) {
+    /** Files that have just been read; {@code renew} reads them again, and fails with an IllegalArgumentException that names the reason. */
+    Renewal(List<Path> files, Runnable renew) {
         this.files = files;
-        this.read = read;
         this.renew = renew;
         this.used = stamps();
         this.seen = used;
@@ -65,7 +60,7 @@ final class Renewal {
         }
         used = now;
         try {
-            renew.accept(read.get());
+            renew.run();
             LOG.log(System.Logger.Level.INFO, "keys, certificates and secrets were read again: " + files);
         } catch (IllegalArgumentException e) {
             LOG.log(System.Logger.Level.WARNING, "keys, certificates and secrets stay as they were: " + e.getMessage());

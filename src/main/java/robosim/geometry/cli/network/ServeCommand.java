@@ -133,7 +133,9 @@ public final class ServeCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Arguments.port(port, 0);
         WorldLoading loading = loading();
-        NetOptions options = common.options(connections, admission).withWorlds(loading);
+        NetOptions options = common.options(
+                        given -> given.withConnections(connections).withAdmission(Duration.ofSeconds(admission)))
+                .withWorlds(loading);
         List<Bundle> opening = opening();
         int seconds = common.figuresSeconds();
         Arguments.refuse(drain < 0, "--drain must be at least 0", drain);

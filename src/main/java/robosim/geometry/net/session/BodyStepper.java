@@ -12,20 +12,12 @@ import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.check.Text;
-import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.BodyContact;
-import robosim.geometry.dynamics.DifferentialDrive;
 import robosim.geometry.dynamics.Drive;
 import robosim.geometry.dynamics.Dynamics;
-import robosim.geometry.dynamics.ForceDrive;
-import robosim.geometry.dynamics.OmnidirectionalDrive;
 import robosim.geometry.dynamics.StepResult;
-import robosim.geometry.dynamics.Surface;
-import robosim.geometry.dynamics.SwerveDrive;
-import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
@@ -41,17 +33,12 @@ import robosim.geometry.protocol.motion.DriveSettings;
 import robosim.geometry.protocol.motion.PushRequest;
 import robosim.geometry.protocol.motion.StopAnswer;
 import robosim.geometry.protocol.motion.SurfaceMixing;
-import robosim.geometry.protocol.motion.SurfaceSettings;
-import robosim.geometry.protocol.motion.SwerveSettings;
 import robosim.geometry.protocol.motion.Velocity;
 
 /** The bodies of one world, which steps move. Made when the first step is asked for: a world without one pays nothing. */
 public final class BodyStepper {
     /** Most bodies of a world: the largest swarm tried has 10,000 robots. */
     public static final int MAX_BODIES = 10_000;
-
-    /** The angle of a car's front wheels if nobody limits it, degrees: about twice that of a real one. */
-    private static final double CAR_STEERING = 60;
 
     private final Geometry world;
     private final Dynamics dynamics;
@@ -132,7 +119,7 @@ public final class BodyStepper {
         }
         SurfaceMixing rules = step.mixing();
         if (rules != null) {
-            dynamics.mix(rule(rules.restitution()), rule(rules.friction()));
+            rules.applyTo(dynamics);
         }
         int index = 0;
         for (BodyRequest body : step.bodies()) {
@@ -153,46 +140,14 @@ public final class BodyStepper {
         }
         List<ContactAnswer> contacts =
                 new ArrayList<>(result.contacts().size() + result.ended().size());
-        result.contacts().forEach(contact -> contacts.add(answer(contact)));
-        result.ended().forEach(contact -> contacts.add(answer(contact)));
-        List<StopAnswer> stops =
-                result.stops().stream().map(BodyStepper::answer).toList();
+        result.contacts().forEach(contact -> contacts.add(ContactAnswer.of(contact, fall(contact))));
+        result.ended().forEach(contact -> contacts.add(ContactAnswer.of(contact, fall(contact))));
+        List<StopAnswer> stops = result.stops().stream().map(StopAnswer::of).toList();
         return new StepBundle.Answer(places(), contacts, result.stopped(), stops);
     }
 
-    private static Surface.Mixing rule(SurfaceMixing.Rule rule) {
-        return switch (rule) {
-            case GEOMETRIC_MEAN -> Surface.Mixing.GEOMETRIC_MEAN;
-            case MEAN -> Surface.Mixing.MEAN;
-            case LARGER -> Surface.Mixing.LARGER;
-            case SMALLER -> Surface.Mixing.SMALLER;
-            case PRODUCT -> Surface.Mixing.PRODUCT;
-        };
-    }
-
-    private static StopAnswer answer(StepResult.Stop stop) {
-        StopAnswer.Reason reason = switch (stop.reason()) {
-            case COLLISIONS -> StopAnswer.Reason.COLLISIONS;
-            case BLOCKED -> StopAnswer.Reason.BLOCKED;
-            case OVERLAP -> StopAnswer.Reason.OVERLAP;
-        };
-        return new StopAnswer(stop.body(), reason, stop.other());
-    }
-
-    private ContactAnswer answer(BodyContact contact) {
-        ContactAnswer.Phase phase = switch (contact.phase()) {
-            case BEGIN -> ContactAnswer.Phase.BEGIN;
-            case LAST -> ContactAnswer.Phase.LAST;
-            case END -> ContactAnswer.Phase.END;
-        };
-        return new ContactAnswer(
-                contact.body(),
-                contact.other(),
-                contact.point(),
-                contact.normal(),
-                contact.impulse(),
-                phase,
-                falls == null ? 0 : falls.endedBy(contact));
+    private double fall(BodyContact contact) {
+        return falls == null ? 0 : falls.endedBy(contact);
     }
 
     private void attempt(int index, String name, BiConsumer<Integer, String> refused, Runnable what) {
@@ -210,11 +165,9 @@ public final class BodyStepper {
 
     private void add(BodyRequest asked) {
         GeometryObject object = ObjectGroup.withoutLoads(world.getObject(asked.objectName()));
-        SurfaceSettings given = asked.surface();
-        Surface surface = new Surface(given.restitution(), given.staticFriction(), given.slidingFriction());
         if (!object.isMoveable()
-                && asked.equals(BodyRequest.of(asked.objectName()).withSurface(given))) {
-            dynamics.surface(asked.objectName(), surface);
+                && asked.equals(BodyRequest.of(asked.objectName()).withSurface(asked.surface()))) {
+            dynamics.surface(asked.objectName(), asked.surface().surface());
             requests.put(asked.objectName(), asked);
             return;
         }
@@ -227,21 +180,14 @@ public final class BodyStepper {
             throw new IllegalArgumentException(
                     "velocity must have no part upwards in a PLANAR world; set y to 0 (got: " + velocity + ")");
         }
-        Body body = BodyRequests.body(object, asked.mass(), asked.inertia())
-                .withSurface(surface)
-                .withDamping(asked.damping(), asked.turnDamping())
-                .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()))
-                .withFloorFriction(asked.floorFriction())
-                .withDrag(asked.drag(), asked.rolling());
+        Body body = asked.body(object);
         // All that may be refused is made before anything is changed, so that what is refused leaves nothing behind.
         String name = asked.objectName();
         DriveSettings settings = asked.drive();
         Drive drive = settings == null || settings.kind() == DriveSettings.Kind.NONE
                 ? null
                 : drive(object, settings, new DriveCommand(name, 0, 0, 0));
-        Twist going = velocity == null
-                ? null
-                : new Twist(velocity.x(), velocity.y(), velocity.z(), Degrees.toDegrees(velocity.ry()));
+        Twist going = velocity == null ? null : velocity.twist();
         dynamics.add(name, body);
         bodies.add(name);
         requests.put(name, asked);
@@ -315,54 +261,12 @@ public final class BodyStepper {
         }
     }
 
-    private Drive drive(GeometryObject object, DriveSettings drive, DriveCommand command) {
-        double turn = Degrees.toDegrees(command.turn());
-        Bounds box = object.turned(0, -object.heading()).bounds();
-        return switch (drive.kind()) {
-            case DIFFERENTIAL ->
-                new DifferentialDrive(
-                                drive.base() == 0 ? box.length() : drive.base(),
-                                drive.maxSpeed(),
-                                drive.maxAcceleration())
-                        .driving(command.forward(), turn);
-            case OMNIDIRECTIONAL ->
-                new OmnidirectionalDrive(
-                                drive.maxSpeed(),
-                                drive.maxAcceleration(),
-                                degrees(drive.maxTurn()),
-                                degrees(drive.maxTurnAcceleration()))
-                        .driving(command.forward(), command.right(), turn);
-            case ACKERMANN ->
-                new AckermannDrive(
-                                drive.base() == 0 ? box.width() : drive.base(),
-                                drive.maxTurn() == Double.POSITIVE_INFINITY ? CAR_STEERING : degrees(drive.maxTurn()),
-                                drive.maxSpeed(),
-                                drive.maxAcceleration())
-                        .withCentreAhead(drive.centreAhead())
-                        .driving(command.forward(), turn);
-            case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
-            case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
-            case SWERVE -> swerve(object, drive.swerve()).driving(command.forward(), command.right(), turn);
-            case NONE -> throw new IllegalStateException("kind NONE must be handled before drives are made");
-        };
-    }
-
-    /** A swerve drive, its modules at the angles that they have, so that each turns the shorter way. */
-    private SwerveDrive swerve(GeometryObject object, @Nullable SwerveSettings asked) {
-        Bounds box = object.turned(0, -object.heading()).bounds();
-        SwerveDrive made =
-                asked == null ? SwerveDrive.of(box.width(), box.length(), null, 1) : BodyRequests.swerve(asked);
-        String name = String.valueOf(object.name());
-        @Nullable Drive old = dynamics.has(name) ? dynamics.drive(name) : null;
-        if (!(old instanceof SwerveDrive before)
-                || before.modules().size() != made.modules().size()) {
-            return made;
-        }
-        List<SwerveDrive.Module> turned = new ArrayList<>();
-        for (int k = 0; k < made.modules().size(); k++) {
-            turned.add(made.modules().get(k).to(before.modules().get(k).angle(), 0));
-        }
-        return made.with(turned);
+    private Drive drive(GeometryObject object, DriveSettings settings, DriveCommand command) {
+        String name = command.objectName();
+        return settings.drive(
+                object.turned(0, -object.heading()).bounds(),
+                command,
+                dynamics.has(name) ? dynamics.drive(name) : null);
     }
 
     /** What kind of drive an object has or, without a body, would get. */
@@ -375,7 +279,7 @@ public final class BodyStepper {
         List<BodyRequest> present = requests.values().stream()
                 .filter(each -> world.hasObject(each.objectName()))
                 .toList();
-        return new StepBundle(0, present, List.of(), mixing);
+        return new StepBundle(0, present, List.of(), mixing, List.of());
     }
 
     /** Whether an object has a body. */
@@ -383,22 +287,17 @@ public final class BodyStepper {
         return dynamics.has(name);
     }
 
-    private static double degrees(double radians) {
-        return radians == Double.POSITIVE_INFINITY ? radians : Degrees.toDegrees(radians);
-    }
-
     private List<BodyAnswer> places() {
         List<BodyAnswer> places = new ArrayList<>(bodies.size());
         for (String name : bodies) {
             breath.run();
             GeometryObject object = world.getObject(name);
-            Twist velocity = dynamics.velocity(name);
             places.add(new BodyAnswer(
                     name,
                     object.center(),
                     Degrees.toRadians(object.heading()),
                     object.pose().isUpright() ? Numbers.NONE : new Numbers(object.rotation()),
-                    new Velocity(velocity.x(), velocity.y(), velocity.z(), Degrees.toRadians(velocity.ry()))));
+                    Velocity.of(dynamics.velocity(name))));
         }
         return places;
     }

@@ -64,37 +64,21 @@ public record SenseRequest(
         }
     }
 
-    /** A sensor that reports a nearer echo as its blind range. */
-    public SenseRequest(
-            String objectName,
-            Mount mount,
-            BeamPattern pattern,
-            double min,
-            double max,
-            double width,
-            boolean seesCarrier,
-            boolean normals,
-            boolean objects,
-            ScanMotion motion) {
-        this(objectName, mount, pattern, min, max, width, seesCarrier, normals, objects, motion, false, List.of());
-    }
-
-    /** Distances and, where they are asked for, normals, from a sensor at rest. */
-    public SenseRequest(
-            String objectName,
-            Mount mount,
-            BeamPattern pattern,
-            double min,
-            double max,
-            double width,
-            boolean seesCarrier,
-            boolean normals) {
-        this(objectName, mount, pattern, min, max, width, seesCarrier, normals, false, ScanMotion.NONE);
-    }
-
     /** A sensor of rays at the object's centre, facing forward, without an end: distances alone. */
     public SenseRequest(String objectName, BeamPattern pattern) {
-        this(objectName, Mount.CENTER, pattern, 0, Double.POSITIVE_INFINITY, 0, false, false);
+        this(
+                objectName,
+                Mount.CENTER,
+                pattern,
+                0,
+                Double.POSITIVE_INFINITY,
+                0,
+                false,
+                false,
+                false,
+                ScanMotion.NONE,
+                false,
+                List.of());
     }
 
     /** The same, which reports an echo nearer than its blind range as {@code -Infinity}. */

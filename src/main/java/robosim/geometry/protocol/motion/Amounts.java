@@ -1,5 +1,7 @@
 package robosim.geometry.protocol.motion;
 
+import robosim.geometry.exact.Degrees;
+
 /** Checks of physical quantities; each message names the argument and its value. */
 final class Amounts {
     /** The largest quantity; products of three of them with an hour are far from the limit of coordinates, 2^100. */
@@ -38,6 +40,16 @@ final class Amounts {
                     argument + " must be a number from 10^-9 to 10^9, or 0 for the default (got: " + value + ")");
         }
         return value + 0.0;
+    }
+
+    /** Degrees in radians; infinite for no limit. */
+    static double radians(double degrees) {
+        return degrees == Double.POSITIVE_INFINITY ? degrees : Degrees.toRadians(degrees);
+    }
+
+    /** Radians in degrees; infinite for no limit. */
+    static double degrees(double radians) {
+        return radians == Double.POSITIVE_INFINITY ? radians : Degrees.toDegrees(radians);
     }
 
     /** A limit, which may be infinite. */

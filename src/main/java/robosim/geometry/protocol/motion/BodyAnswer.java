@@ -3,6 +3,7 @@ package robosim.geometry.protocol.motion;
 import java.io.Serial;
 import java.io.Serializable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.protocol.batch.Numbers;
@@ -37,8 +38,10 @@ public record BodyAnswer(String objectName, Point center, double heading, Number
         Checks.present("velocity", velocity);
     }
 
-    /** The nine numbers of {@link #rotation}, or none if the body stands upright; a copy. */
-    public double[] axes() {
-        return rotation.values();
+    /** Where it is. */
+    public Pose pose() {
+        return rotation.size() == 0
+                ? Pose.of(center, Degrees.toDegrees(heading))
+                : Pose.of(center, 0).oriented(rotation.values());
     }
 }

@@ -4,6 +4,7 @@ import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.dynamics.BodyContact;
 import robosim.geometry.model.Point;
 
 /**
@@ -50,6 +51,23 @@ public record ContactAnswer(
             throw new IllegalArgumentException("fall must be a finite number of at least 0 (got: " + fall + ")");
         }
         fall += 0.0;
+    }
+
+    /** A contact as it is sent, and the fall that ended with it; 0 for none. */
+    public static ContactAnswer of(BodyContact contact, double fall) {
+        return new ContactAnswer(
+                contact.body(),
+                contact.other(),
+                contact.point(),
+                contact.normal(),
+                contact.impulse(),
+                Phase.valueOf(contact.phase().name()),
+                fall);
+    }
+
+    /** The contact. */
+    public BodyContact contact() {
+        return new BodyContact(objectName, other, point, normal, impulse, BodyContact.Phase.valueOf(phase.name()));
     }
 
     /** A contact that ends no fall. */

@@ -2,9 +2,20 @@ package robosim.geometry.protocol.motion;
 
 import java.io.Serial;
 import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.dynamics.AckermannDrive;
+import robosim.geometry.dynamics.DifferentialDrive;
+import robosim.geometry.dynamics.Drive;
+import robosim.geometry.dynamics.ForceDrive;
+import robosim.geometry.dynamics.OmnidirectionalDrive;
+import robosim.geometry.dynamics.SwerveDrive;
+import robosim.geometry.dynamics.VelocityDrive;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.Twist;
 
 /**
  * What drives a body, without a command.
@@ -34,6 +45,11 @@ public record DriveSettings(
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
+
+    private static final double NONE = Double.POSITIVE_INFINITY;
+
+    /** The angle of a car's front wheels if nobody limits it, degrees: about twice that of a real one. */
+    private static final double CAR_STEERING = 60;
 
     /** A differential drive as wide as its body, without limits. */
     public static final DriveSettings DEFAULT = of(Kind.DIFFERENTIAL);
@@ -125,8 +141,73 @@ public record DriveSettings(
 
     /** A swerve drive. */
     public static DriveSettings of(SwerveSettings swerve) {
-        double none = Double.POSITIVE_INFINITY;
-        return new DriveSettings(Kind.SWERVE, 0, none, none, none, none, 0, Checks.present("swerve", swerve));
+        return new DriveSettings(Kind.SWERVE, 0, NONE, NONE, NONE, NONE, 0, Checks.present("swerve", swerve));
+    }
+
+    /** A drive as it is sent, without its command. */
+    public static DriveSettings of(Drive drive) {
+        if (drive instanceof DifferentialDrive wheels) {
+            return new DriveSettings(
+                    Kind.DIFFERENTIAL, wheels.track(), wheels.maxSpeed(), wheels.maxAcceleration(), NONE, NONE);
+        }
+        if (drive instanceof OmnidirectionalDrive any) {
+            return new DriveSettings(
+                    Kind.OMNIDIRECTIONAL,
+                    0,
+                    any.maxSpeed(),
+                    any.maxAcceleration(),
+                    Amounts.radians(any.maxTurn()),
+                    Amounts.radians(any.maxTurnAcceleration()));
+        }
+        if (drive instanceof AckermannDrive car) {
+            return new DriveSettings(
+                    Kind.ACKERMANN,
+                    car.wheelbase(),
+                    car.maxSpeed(),
+                    car.maxAcceleration(),
+                    Amounts.radians(car.maxSteering()),
+                    NONE,
+                    car.centreAhead());
+        }
+        if (drive instanceof SwerveDrive swerve) {
+            return of(SwerveSettings.of(swerve));
+        }
+        return of(drive instanceof VelocityDrive ? Kind.VELOCITY : Kind.FORCE);
+    }
+
+    /**
+     * The drive with a command.
+     *
+     * @param shape  gives the measures that are left out: its extents in its own frame
+     * @param before what drove the body so far; the modules of a swerve drive keep their angles, so that each turns the shorter
+     *               way
+     */
+    public Drive drive(Bounds shape, DriveCommand command, @Nullable Drive before) {
+        double turn = Degrees.toDegrees(command.turn());
+        return switch (kind) {
+            case DIFFERENTIAL ->
+                new DifferentialDrive(base == 0 ? shape.length() : base, maxSpeed, maxAcceleration)
+                        .driving(command.forward(), turn);
+            case OMNIDIRECTIONAL ->
+                new OmnidirectionalDrive(
+                                maxSpeed,
+                                maxAcceleration,
+                                Amounts.degrees(maxTurn),
+                                Amounts.degrees(maxTurnAcceleration))
+                        .driving(command.forward(), command.right(), turn);
+            case ACKERMANN ->
+                new AckermannDrive(
+                                base == 0 ? shape.width() : base,
+                                maxTurn == NONE ? CAR_STEERING : Amounts.degrees(maxTurn),
+                                maxSpeed,
+                                maxAcceleration)
+                        .withCentreAhead(centreAhead)
+                        .driving(command.forward(), turn);
+            case VELOCITY -> new VelocityDrive(new Twist(command.forward(), 0, command.right(), turn));
+            case FORCE -> new ForceDrive(command.forward(), command.right(), command.turn());
+            case SWERVE -> swerve(shape, before).driving(command.forward(), command.right(), turn);
+            case NONE -> throw new IllegalStateException("kind NONE must be handled before drives are made");
+        };
     }
 
     /** A drive whose object's centre is on the rear axle, if it is a car. */
@@ -138,6 +219,19 @@ public record DriveSettings(
             double maxTurn,
             double maxTurnAcceleration) {
         this(kind, base, maxSpeed, maxAcceleration, maxTurn, maxTurnAcceleration, 0);
+    }
+
+    private SwerveDrive swerve(Bounds shape, @Nullable Drive before) {
+        SwerveDrive made = swerve == null ? SwerveDrive.of(shape.width(), shape.length(), null, 1) : swerve.drive();
+        if (!(before instanceof SwerveDrive old)
+                || old.modules().size() != made.modules().size()) {
+            return made;
+        }
+        List<SwerveDrive.Module> turned = new ArrayList<>();
+        for (int k = 0; k < made.modules().size(); k++) {
+            turned.add(made.modules().get(k).to(old.modules().get(k).angle(), 0));
+        }
+        return made.with(turned);
     }
 
     /** This car with the object's centre so many metres ahead of its rear axle. */
@@ -154,7 +248,6 @@ public record DriveSettings(
 
     /** A drive without limits. */
     public static DriveSettings of(Kind kind) {
-        double none = Double.POSITIVE_INFINITY;
-        return new DriveSettings(kind, 0, none, none, none, none);
+        return new DriveSettings(kind, 0, NONE, NONE, NONE, NONE);
     }
 }

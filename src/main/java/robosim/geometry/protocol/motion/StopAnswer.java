@@ -5,6 +5,7 @@ import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.check.Text;
+import robosim.geometry.dynamics.StepResult;
 
 /**
  * Why a body was stopped in a step.
@@ -32,6 +33,16 @@ public record StopAnswer(
     public StopAnswer {
         Checks.present("objectName", objectName);
         Checks.present("reason", reason);
+    }
+
+    /** A stop as it is sent. */
+    public static StopAnswer of(StepResult.Stop stop) {
+        return new StopAnswer(stop.body(), Reason.valueOf(stop.reason().name()), stop.other());
+    }
+
+    /** The stop. */
+    public StepResult.Stop stop() {
+        return new StepResult.Stop(objectName, StepResult.Reason.valueOf(reason.name()), other);
     }
 
     /** The body and why it was stopped, for a message: {@code "crate" (BLOCKED by "wall")}. */

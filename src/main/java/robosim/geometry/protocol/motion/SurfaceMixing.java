@@ -3,6 +3,8 @@ package robosim.geometry.protocol.motion;
 import java.io.Serial;
 import java.io.Serializable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.dynamics.Dynamics;
+import robosim.geometry.dynamics.Surface;
 
 /**
  * How the surfaces of two objects make that of their contact, for all contacts of a world.
@@ -32,5 +34,15 @@ public record SurfaceMixing(Rule restitution, Rule friction) implements Serializ
     public SurfaceMixing {
         Checks.present("restitution", restitution);
         Checks.present("friction", friction);
+    }
+
+    /** The rules as they are sent. */
+    public static SurfaceMixing of(Surface.Mixing restitution, Surface.Mixing friction) {
+        return new SurfaceMixing(Rule.valueOf(restitution.name()), Rule.valueOf(friction.name()));
+    }
+
+    /** Gives these rules to a world. */
+    public void applyTo(Dynamics dynamics) {
+        dynamics.mix(Surface.Mixing.valueOf(restitution.name()), Surface.Mixing.valueOf(friction.name()));
     }
 }

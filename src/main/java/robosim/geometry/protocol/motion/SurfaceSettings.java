@@ -2,6 +2,7 @@ package robosim.geometry.protocol.motion;
 
 import java.io.Serial;
 import java.io.Serializable;
+import robosim.geometry.dynamics.Surface;
 
 /**
  * How a surface bounces and rubs.
@@ -30,5 +31,15 @@ public record SurfaceSettings(double restitution, double staticFriction, double 
             throw new IllegalArgumentException("slidingFriction must be at most staticFriction, " + staticFriction
                     + " (got: " + slidingFriction + ")");
         }
+    }
+
+    /** A surface as it is sent. */
+    public static SurfaceSettings of(Surface surface) {
+        return new SurfaceSettings(surface.restitution(), surface.staticFriction(), surface.slidingFriction());
+    }
+
+    /** The surface. */
+    public Surface surface() {
+        return new Surface(restitution, staticFriction, slidingFriction);
     }
 }

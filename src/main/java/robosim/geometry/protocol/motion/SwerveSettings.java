@@ -5,6 +5,7 @@ import java.io.Serializable;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.dynamics.SwerveDrive;
 import robosim.geometry.model.Point;
 
 /**
@@ -58,6 +59,46 @@ public record SwerveSettings(
             currentLimit = Amounts.limit("currentLimit", currentLimit);
             supplyResistance = Amounts.atLeastZero("supplyResistance", supplyResistance);
         }
+
+        private static @Nullable Motor of(robosim.geometry.dynamics.@Nullable Motor motor) {
+            return motor == null
+                    ? null
+                    : new Motor(
+                            motor.stallTorque(),
+                            motor.freeTurns(),
+                            motor.stallCurrent(),
+                            motor.gearRatio(),
+                            motor.wheelRadius(),
+                            motor.currentLimit(),
+                            motor.supplyResistance());
+        }
+
+        private robosim.geometry.dynamics.Motor motor() {
+            return new robosim.geometry.dynamics.Motor(
+                    stallTorque, freeTurns, stallCurrent, gearRatio, wheelRadius, currentLimit, supplyResistance);
+        }
+    }
+
+    /** The wheels of a drive as they are sent, without its command. */
+    static SwerveSettings of(SwerveDrive drive) {
+        return new SwerveSettings(
+                drive.modules().stream()
+                        .map(each -> new Point(each.x(), 0, each.z()))
+                        .toList(),
+                drive.grip(),
+                Amounts.radians(drive.maxSteering()),
+                Motor.of(drive.motor()));
+    }
+
+    /** The drive, told to stand. */
+    public SwerveDrive drive() {
+        return new SwerveDrive(
+                wheels.stream()
+                        .map(each -> new SwerveDrive.Module(each.x(), each.z()))
+                        .toList(),
+                motor == null ? null : motor.motor(),
+                grip,
+                Amounts.degrees(maxSteering));
     }
 
     /** Refuses null, numbers that are out of range, and none or too many wheels. */

@@ -2,6 +2,8 @@ package robosim.geometry.protocol.motion;
 
 import java.io.Serial;
 import java.io.Serializable;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Twist;
 
 /**
  * A velocity along the own axes of a body.
@@ -21,6 +23,16 @@ public record Velocity(double x, double y, double z, double ry) implements Seria
         y = finite("y", y);
         z = finite("z", z);
         ry = finite("ry", ry);
+    }
+
+    /** A velocity as it is sent. */
+    public static Velocity of(Twist velocity) {
+        return new Velocity(velocity.x(), velocity.y(), velocity.z(), Degrees.toRadians(velocity.ry()));
+    }
+
+    /** The velocity in metres and degrees a second. */
+    public Twist twist() {
+        return new Twist(x, y, z, Degrees.toDegrees(ry));
     }
 
     private static double finite(String argument, double value) {

@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.dynamics.Drive;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.net.session.BodyRequests;
 import robosim.geometry.protocol.motion.BodyRequest;
+import robosim.geometry.protocol.motion.DriveSettings;
+import robosim.geometry.protocol.motion.SurfaceSettings;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.body.ObjectBody;
@@ -33,13 +34,13 @@ public final class WorldBodies {
                 name,
                 body.mass(),
                 body.inertia(),
-                BodyRequests.of(body.surface()),
+                SurfaceSettings.of(body.surface()),
                 body.damping(),
                 body.turnDamping(),
                 body.maxSpeed(),
                 body.maxTurn() == Double.POSITIVE_INFINITY ? body.maxTurn() : Degrees.toRadians(body.maxTurn()),
                 body.floorFriction(),
-                drive == null ? null : BodyRequests.of(drive),
+                drive == null ? null : DriveSettings.of(drive),
                 null,
                 body.drag(),
                 body.rolling());

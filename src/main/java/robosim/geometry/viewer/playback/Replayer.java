@@ -274,7 +274,7 @@ public final class Replayer {
             if (mover == null) {
                 continue;
             }
-            Pose there = pose(body);
+            Pose there = body.pose();
             if (reply == null || !reply.bundle().equals(answer)) {
                 put(mover.at(there));
             }
@@ -302,12 +302,6 @@ public final class Replayer {
         return world == null || other == null || !world.hasObject(other)
                 ? null
                 : new MoveResult(false, 0, 0, world.getObject(other), contact.point(), contact.normal());
-    }
-
-    private static Pose pose(BodyAnswer body) {
-        return body.rotation().size() == 0
-                ? Pose.of(body.center(), Degrees.toDegrees(body.heading()))
-                : Pose.of(body.center(), 0).oriented(body.rotation().values());
     }
 
     private static String stepped(StepBundle asked, StepBundle.Answer answer) {

@@ -39,21 +39,7 @@ public record ObjectBody(
 
     /** Smooth, of the default mass, inertia and friction on the floor; nothing drives, dampens or limits it. */
     public static final ObjectBody DEFAULT = new ObjectBody(
-            0, 0, Surface.SMOOTH, FLOOR_FRICTION, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, null);
-
-    /** A body without drag and rolling resistance. */
-    public ObjectBody(
-            double mass,
-            double inertia,
-            Surface surface,
-            double floorFriction,
-            double damping,
-            double turnDamping,
-            double maxSpeed,
-            double maxTurn,
-            @Nullable Drive drive) {
-        this(mass, inertia, surface, floorFriction, damping, turnDamping, maxSpeed, maxTurn, 0, 0, drive);
-    }
+            0, 0, Surface.SMOOTH, FLOOR_FRICTION, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, 0, null);
 
     /** Refuses null, and numbers that are out of range. */
     public ObjectBody {

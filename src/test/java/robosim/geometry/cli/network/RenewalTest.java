@@ -9,17 +9,16 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import robosim.geometry.net.Access;
 import robosim.geometry.net.LogCapture;
-import robosim.geometry.net.Secret;
+import robosim.geometry.net.NetOptions;
 
 class RenewalTest {
     @TempDir
     private Path folder;
 
-    private static Access read(Path file) {
+    private static NetOptions read(Path file) {
         try {
-            return new Access(null, Secret.of(Files.readString(file).toCharArray()));
+            return NetOptions.defaults().withAccess(null, Files.readString(file).toCharArray());
         } catch (IOException e) {
             throw new IllegalArgumentException("the file must be there (got: " + file + ")", e);
         }
@@ -28,9 +27,9 @@ class RenewalTest {
     @Test
     void readsFilesAgainOnceTheyHaveChangedAndComeToRest() throws Exception {
         Path file = Files.writeString(folder.resolve("secret"), "a secret of sixteen letters");
-        List<Access> renewed = new ArrayList<>();
+        List<NetOptions> renewed = new ArrayList<>();
         try (LogCapture log = new LogCapture()) {
-            Renewal renewal = new Renewal(List.of(file), () -> read(file), renewed::add);
+            Renewal renewal = new Renewal(List.of(file), () -> renewed.add(read(file)));
             renewal.look();
             renewal.look();
             assertThat(renewed).isEmpty();

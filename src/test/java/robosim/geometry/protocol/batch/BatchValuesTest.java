@@ -65,7 +65,8 @@ class BatchValuesTest {
     }
 
     private static SenseRequest frame(double width, boolean seesCarrier, ScanMotion motion) {
-        return new SenseRequest("a", Mount.CENTER, FAN, 0, 9, width, seesCarrier, false, true, motion);
+        return new SenseRequest(
+                "a", Mount.CENTER, FAN, 0, 9, width, seesCarrier, false, true, motion, false, List.of());
     }
 
     private static SenseAnswer frame(List<String> names, Integers objects, Integers labels) {
@@ -76,16 +77,34 @@ class BatchValuesTest {
     void requestsRefuseWhatNoSensorHas() {
         refuses("objectName", () -> new SenseRequest(null, FAN));
         refuses("pattern", () -> new SenseRequest("a", null));
-        refuses("mount", () -> new SenseRequest("a", null, FAN, 0, 1, 0, false, false));
-        refuses("min ", v -> new SenseRequest("a", Mount.CENTER, FAN, v, 9, 0, false, false), Double.NaN, -1);
-        refuses("max ", v -> new SenseRequest("a", Mount.CENTER, FAN, 2, v, 0, false, false), Double.NaN, 1.9);
+        refuses(
+                "mount",
+                () -> new SenseRequest(
+                        "a", null, FAN, 0, 1, 0, false, false, false, ScanMotion.NONE, false, List.of()));
+        refuses(
+                "min ",
+                v -> new SenseRequest(
+                        "a", Mount.CENTER, FAN, v, 9, 0, false, false, false, ScanMotion.NONE, false, List.of()),
+                Double.NaN,
+                -1);
+        refuses(
+                "max ",
+                v -> new SenseRequest(
+                        "a", Mount.CENTER, FAN, 2, v, 0, false, false, false, ScanMotion.NONE, false, List.of()),
+                Double.NaN,
+                1.9);
         refuses(
                 "width ",
-                v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, false),
+                v -> new SenseRequest(
+                        "a", Mount.CENTER, FAN, 0, 9, v, false, false, false, ScanMotion.NONE, false, List.of()),
                 Double.NaN,
                 -1,
                 Math.PI);
-        refuses("width ", v -> new SenseRequest("a", Mount.CENTER, FAN, 0, 9, v, false, true), 0.1);
+        refuses(
+                "width ",
+                v -> new SenseRequest(
+                        "a", Mount.CENTER, FAN, 0, 9, v, false, true, false, ScanMotion.NONE, false, List.of()),
+                0.1);
         refuses("width ", v -> frame(v, false, ScanMotion.NONE), 0.1);
         refuses("seesCarrier ", () -> frame(0, true, new ScanMotion(1, 1, 0, 0, 0)));
         assertThat(frame(0, true, null)).isEqualTo(frame(0, true, ScanMotion.NONE)); // as before there was one

@@ -17,6 +17,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.Numbers;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseAnswer;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.viewer.Talk;
@@ -83,7 +84,8 @@ class ReplayerTest {
     void lasersOfABatchAreShown() {
         Mount ahead = new Mount(new Point(0.5, 0, 0));
         BeamPattern fan = new BeamPattern.Fan(-Math.PI / 4, Math.PI / 180, 91);
-        SenseRequest laser = new SenseRequest("drum", ahead, fan, 0, 30, 0, false, false);
+        SenseRequest laser =
+                new SenseRequest("drum", ahead, fan, 0, 30, 0, false, false, false, ScanMotion.NONE, false, List.of());
         Numbers told = new Numbers(IntStream.range(0, 91).mapToDouble(k -> k).toArray());
         StateHistory film = Talk.begun()
                 .step(new BatchRequestBundle(List.of(laser)), null)
