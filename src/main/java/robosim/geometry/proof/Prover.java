@@ -44,7 +44,7 @@ public final class Prover {
 
     private Prover(Scene scene, @Nullable SceneRows earlier) {
         this.scene = Checks.present("scene", scene);
-        rows = new SceneRows(scene.objects(), earlier);
+        rows = SceneRows.of(scene.objects(), earlier);
         isFlat = scene.dimension() == Dimension.PLANAR;
     }
 
