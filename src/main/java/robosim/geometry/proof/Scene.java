@@ -24,11 +24,6 @@ public record Scene(
         Checks.present("dimension", dimension);
     }
 
-    /** The scene as JSON, for programs in other languages; see {@code docs/proofs.md}. */
-    public String json() {
-        return ProofJson.of(this);
-    }
-
     /** A single object in space without a border, for claims about two objects. */
     public static Scene of(GeometryObject object) {
         return new Scene(List.of(Checks.present("object", object)), Dimension.SPATIAL, null);

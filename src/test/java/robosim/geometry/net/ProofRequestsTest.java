@@ -14,6 +14,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.proof.Proof;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BeamPattern;
@@ -47,7 +48,7 @@ class ProofRequestsTest extends SessionOfObjects {
             assertThat(answers.get(k).fits(new WorldRequest.Describe())).isFalse();
         }
         assertThat(String.join("", ((WorldAnswer.SceneText) answers.get(0)).scene()))
-                .isEqualTo(session.world().prove().scene().json());
+                .isEqualTo(Proof.jsonOf(session.world().prove().scene()));
         assertThat(kinds(answers.get(1))).containsExactly("apart");
         assertThat(kinds(answers.get(2))).containsExactly("translation", "turn", "apart");
         assertThat(kinds(answers.get(3))).containsExactly("blocked");

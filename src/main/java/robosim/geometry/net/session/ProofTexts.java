@@ -18,6 +18,7 @@ import robosim.geometry.model.RayPattern;
 import robosim.geometry.proof.Attempt;
 import robosim.geometry.proof.Proof;
 import robosim.geometry.proof.Scene;
+import robosim.geometry.protocol.MessageLimits;
 import robosim.geometry.protocol.batch.BatchRequest;
 import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseRequest;
@@ -36,7 +37,7 @@ final class ProofTexts {
     WorldAnswer.SceneText scene(Geometry world) {
         Scene scene = world.prove().scene();
         long pieces = scene.objects().stream().mapToLong(ProofTexts::pieces).sum();
-        String text = LETTERS * pieces > WorldAnswer.SceneText.MOST_CHARACTERS ? null : scene.json();
+        String text = LETTERS * pieces > WorldAnswer.SceneText.MOST_CHARACTERS ? null : Proof.jsonOf(scene);
         if (text == null || text.length() > WorldAnswer.SceneText.MOST_CHARACTERS) {
             throw new IllegalArgumentException("the scene is too large for a message: its text must have at most "
                     + WorldAnswer.SceneText.MOST_CHARACTERS + " characters; check proofs about it in Java (got: "
@@ -51,7 +52,7 @@ final class ProofTexts {
         }
         return object instanceof MeshObject mesh
                 ? mesh.faces().length
-                : object instanceof GridObject grid ? grid.cells().occupied() : 1;
+                : object instanceof GridObject grid ? MessageLimits.parts(grid) : 1;
     }
 
     /** Proofs of the answer to a request. */

@@ -201,6 +201,7 @@ class BatchValuesTest {
         refuses(
                 "request must have at most 1024 beams",
                 () -> new WorldRequest.Prove(new SenseRequest("r", new BeamPattern.Fan(0, 0.001, 1025))));
+        refuses("index must be from 0 to 2^53", () -> new Obstacle(1L << 53, "", GeometryObject.Kind.BOX, new Point()));
         refuses("either a proof or a reason", () -> new WorldAnswer.Evidence(List.of(), ""));
         refuses("either a proof or a reason", () -> new WorldAnswer.Evidence(List.of("{}"), "why"));
         refuses("displacement", () -> new WorldAnswer.Separated(null));
