@@ -45,8 +45,8 @@ from typing import Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Op
 __all__ = [
     "Module", "connect", "accept", "box", "cylinder", "sphere", "capsule", "mesh", "group", "grid", "fan", "layers",
     "pinhole", "directions", "sense", "picture", "poses", "edges", "measure", "pose", "place", "add", "remove", "go", "go_to_contact", "drive_for",
-    "go_and_slide", "separate", "attach", "detach", "mixing", "world", "listed", "named", "body", "drive_settings", "swerve", "command", "push", "Move", "Sonar", "Moves", "Went", "Slid",
-    "SlideContact", "Obstacle", "Listed", "Page", "Change", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
+    "go_and_slide", "separate", "attach", "detach", "prove", "scene", "mixing", "world", "listed", "named", "body", "drive_settings", "swerve", "command", "push", "Move", "Sonar", "Moves", "Went", "Slid",
+    "SlideContact", "Obstacle", "Listed", "Page", "Change", "Evidence", "Pose", "World", "LeftOut", "Scan", "Picture", "Velocity", "Body", "Contact", "Step",
     "Error", "NotDone", "ProtocolFault", "RequestError",
 ]
 
@@ -125,6 +125,16 @@ class Page(NamedTuple):
 
     objects: List[Listed]
     next: Optional[int]  # None at the end
+
+
+class Evidence(NamedTuple):
+    """A proof of an answer as docs/proofs.md describes it, or why there is none. It is true where there is one."""
+
+    proof: Optional[Json]
+    reason: str = ""
+
+    def __bool__(self) -> bool:
+        return self.proof is not None
 
 
 class Change(NamedTuple):
@@ -730,6 +740,16 @@ def detach(name: str) -> Json:
     return {"kind": "detach", "objectName": name}
 
 
+def prove(request: Json) -> Json:
+    """Proofs of the answer that a request made by `go`, `pose` or `sense` would have now; nothing is moved."""
+    return {"kind": "prove", "request": request}
+
+
+def scene() -> Json:
+    """The objects that proofs are about, as they are now."""
+    return {"kind": "scene"}
+
+
 def world() -> Json:
     """What became of the last init."""
     return {"kind": "world"}
@@ -740,7 +760,7 @@ def listed(first: int = 0, count: int = 65536) -> Json:
     return {"kind": "list", "first": first, "count": count}
 
 
-Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, List[float], None, RequestError]
+Answer = Union[Scan, Picture, List[bool], Pose, Change, Went, Slid, World, Page, List[Evidence], Json, List[float], None, RequestError]
 
 
 def _not_finite(value: Any, path: str = "") -> str:
@@ -1133,6 +1153,15 @@ class Module:
         """Detaches an object from what carries it; it stays where it is and goes on as fast as its place went."""
         return self._one(detach(name))
 
+    def prove(self, request: Json) -> List[Evidence]:
+        """Proofs of the answer that a request made by `go`, `pose` or `sense` would have now: of a pose that the object touches no
+        other, of a move one for each part and one for its end, of a sensor one for each beam. Nothing is moved."""
+        return self._one(prove(request))
+
+    def scene(self) -> Json:
+        """The objects that proofs are about, as they are now."""
+        return self._one(scene())
+
     def sense(self, name: str, pattern: Json, **options: Any) -> Scan:
         """All beams of a sensor on an object, with the options of the function `sense`; without a name, "", of one that
         stands in the world."""
@@ -1318,6 +1347,12 @@ def _read(request: Json, answer: Json) -> Answer:
             return Slid(answer["displacement"], answer["length"], answer["left"], answer["turnFraction"], contacts)
         if kind == "separate":
             return answer["displacement"] if answer["done"] else None
+        if kind == "scene":
+            found: Json = json.loads("".join(answer["scene"]))
+            return found
+        if kind == "prove":
+            return [Evidence(json.loads("".join(e["proof"])) if "proof" in e else None, e.get("reason", ""))
+                    for e in answer["proofs"]]
         if kind == "world":
             left = [LeftOut(o["index"], o.get("name", ""), o["reason"]) for o in answer["leftOut"]]
             return World(answer["added"], left, answer["width"], answer["height"], answer["length"],

@@ -46,7 +46,7 @@ public final class WorldProver {
 
     WorldProver(World world) {
         this.world = world;
-        prover = new Prover(scene());
+        prover = new Prover(scene(), world::take);
     }
 
     /** The objects of the world as they are now, which proofs are about. */
@@ -225,19 +225,36 @@ public final class WorldProver {
      * @param width full opening angle in degrees, from 0 up to, not including, 180
      */
     public Attempt sonar(String name, double x, double z, double max, double width) {
+        return sonar(name, new Ray(new Point(), new Point(x, 0, z)), max, width);
+    }
+
+    /**
+     * Proves what {@link Geometry#getSonarDistance(String, Ray, double, double, double)} returns with a blind range of 0, likewise.
+     *
+     * @param mount where the sensor is in the object's own frame, and where it looks
+     * @param max   a range, world units; finite if nothing is detected
+     * @param width full opening angle in degrees, from 0 up to, not including, 180
+     */
+    public Attempt sonar(String name, Ray mount, double max, double width) {
         int self = begin(name);
         int id = world.mover(name);
-        double distance = world.beams.sonar(world.view, id, x, z, 0, max, width);
+        double distance = world.beams.sonar(world.view, id, Checks.present("mount", mount), 0, max, width);
         int hit = world.beams.hit();
-        world.objects.toWorld(id, x, 0, z, vector);
-        Point direction = new Point(vector[0], vector[1], vector[2]);
-        Point start = present(name).center();
+        Point direction = toWorld(id, mount.direction());
+        Point offset = toWorld(id, mount.start());
+        Point center = present(name).center();
+        Point start = new Point(center.x() + offset.x(), center.y() + offset.y(), center.z() + offset.z());
         if (width > 0) {
             return prover.cone(start, direction, Degrees.cos(width / 2), self, Math.min(distance, max), Claim.ALL);
         }
         return distance == Double.POSITIVE_INFINITY
                 ? prover.ray(start, direction, self, max, Claim.ALL)
                 : prover.ray(start, direction, self, distance, index(world.objects.present(hit)));
+    }
+
+    private Point toWorld(int id, Point own) {
+        world.objects.toWorld(id, own.x(), own.y(), own.z(), vector);
+        return new Point(vector[0], vector[1], vector[2]);
     }
 
     /** Takes the world as it is now; the index of an object. */

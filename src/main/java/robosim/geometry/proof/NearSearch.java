@@ -20,10 +20,12 @@ final class NearSearch {
     private final Leaf b = new Leaf();
     private final SceneRows scene;
     private final boolean isFlat;
+    private final Runnable betweenParts;
 
-    NearSearch(SceneRows scene, boolean isFlat) {
+    NearSearch(SceneRows scene, boolean isFlat, Runnable betweenParts) {
         this.scene = scene;
         this.isFlat = isFlat;
+        this.betweenParts = betweenParts;
     }
 
     @Nullable
@@ -33,6 +35,7 @@ final class NearSearch {
                     (other == Claim.ALL ? object != self : object == other) && j < scene.first[object + 1];
                     j++) {
                 for (int i = 0; i < body.length; i++) {
+                    betweenParts.run();
                     Contact near = find(i, body[i], j, scene.rows[j], high);
                     if (near != null) {
                         return near;

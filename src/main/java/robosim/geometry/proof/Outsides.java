@@ -17,16 +17,22 @@ final class Outsides {
         {0.3119, 0.0713, -0.9391}, {-0.1277, -0.9349, 0.3011}, {0.8713, -0.1499, -0.4253}, {-0.5477, 0.4129, -0.7013}
     };
 
+    /** Triangles that are counted between two parts of the work. */
+    private static final int PART = 1024;
+
     private final SceneRows rows;
     private final List<GeometryObject> objects;
+    private final Runnable betweenParts;
 
-    Outsides(SceneRows rows, Scene scene) {
+    Outsides(SceneRows rows, Runnable betweenParts) {
         this.rows = rows;
-        objects = scene.objects();
+        this.betweenParts = betweenParts;
+        objects = rows.objects;
     }
 
     /** A ray from a point that crosses a closed surface as often as a parity says; null if there is none. */
-    static @Nullable Point direction(Vec start, List<Piece> solid, int parity) {
+    @Nullable
+    Point direction(Vec start, List<Piece> solid, int parity) {
         for (double[] ray : RAYS) {
             int crossings = crossings(start, Vec.of(ray[0], ray[1], ray[2]), solid);
             if (crossings >= 0) {
@@ -37,9 +43,14 @@ final class Outsides {
     }
 
     /** How many triangles a ray crosses; -1 if it passes an edge. */
-    private static int crossings(Vec start, Vec ray, List<Piece> solid) {
+    private int crossings(Vec start, Vec ray, List<Piece> solid) {
         try {
-            return ScenePieces.crossings(start, ray, solid);
+            int count = 0;
+            for (int from = 0; from < solid.size(); from += PART) {
+                betweenParts.run();
+                count += ScenePieces.crossings(start, ray, solid.subList(from, Math.min(from + PART, solid.size())));
+            }
+            return count;
         } catch (Flaw passesAnEdge) {
             return -1;
         }
@@ -67,6 +78,7 @@ final class Outsides {
         if (mayBeSolid(objects.get(object))) {
             for (int[] solid : ScenePieces.solids(objects.get(object), rows.first[object])) {
                 for (int i = 0; i < course.rows.length; i++) {
+                    betweenParts.run();
                     if (!isClear(course, new int[] {i, i + 1}, solid)) {
                         Point ray = direction(first(course.rows[i]), rows.exact(solid), 0);
                         if (ray == null) {
@@ -79,6 +91,7 @@ final class Outsides {
         }
         for (int[] solid : own) {
             for (int j = rows.first[object]; j < rows.first[object + 1]; j++) {
+                betweenParts.run();
                 if (!isClear(course, solid, new int[] {j, j + 1})) {
                     Point ray = direction(first(rows.rows[j]), body(course, solid), 0);
                     if (ray == null) {

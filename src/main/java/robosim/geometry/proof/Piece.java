@@ -138,11 +138,23 @@ final class Piece {
             a = a.compareTo(b) < 0 ? b : a;
             return a.compareTo(d) < 0 ? d : a;
         }
+        return straight(n).plus(round(n, n.dot(r[1])));
+    }
+
+    /** The same without roundness, of what is no triangle. */
+    private Num straight(Vec n) {
         Num most = n.dot(c);
         for (int k = 0; k < 3; k++) {
             most = h[k].sign() == 0 ? most : most.plus(h[k].times(n.dot(r[k]).abs()));
         }
-        return most.plus(round(n, n.dot(r[1])));
+        return most;
+    }
+
+    /** Not above {@link #least}, and found without a root, of an n that is an axis of the world. */
+    Num leastAlongAxis(Vec n) {
+        return isTriangle
+                ? least(n)
+                : straight(n.negate()).plus(disc).plus(ball).negate();
     }
 
     /** The smallest of n.x over the piece, or slightly less. */

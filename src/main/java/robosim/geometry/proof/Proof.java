@@ -29,6 +29,11 @@ public final class Proof {
         return ProofJson.of(this);
     }
 
+    /** A scene as JSON, for proofs that are given elsewhere. */
+    public static String jsonOf(Scene scene) {
+        return ProofJson.of(scene);
+    }
+
     /** The proof and the scene that it is about as one object of JSON, for programs in other languages; see {@code docs/proofs.md}. */
     public String json(Scene scene) {
         return ProofJson.of(this, scene);

@@ -1,5 +1,7 @@
 package robosim.geometry.proof;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
 import java.util.stream.Collectors;
 import robosim.geometry.check.Checks;
@@ -11,6 +13,9 @@ import robosim.geometry.model.Point;
  * reading them as doubles gives the same bits; a number that is infinite is null.
  */
 final class ProofJson {
+    /** A number of so few letters has 15 digits at most, and no two decimals of so few are the same double. */
+    private static final int MOST_SURE = 16;
+
     private ProofJson() {}
 
     /** A proof together with the scene that it is about, as one object. */
@@ -135,8 +140,20 @@ final class ProofJson {
     private static String number(double v) {
         return v == Double.POSITIVE_INFINITY
                 ? "null"
-                : v == Math.rint(v) && Math.abs(v) < 1e9 && v != 0
-                        ? String.valueOf((long) v)
-                        : v == 0 ? "0" : String.valueOf(v);
+                : v == Math.rint(v) && Math.abs(v) < 1e9 ? String.valueOf((long) v) : fraction(v);
+    }
+
+    /** Digits that identify a double, the same on every JVM: {@link Double#toString} of some has more than it needs. */
+    private static String fraction(double v) {
+        String usual = String.valueOf(v);
+        if (usual.length() <= MOST_SURE) {
+            return usual;
+        }
+        BigDecimal exact = new BigDecimal(v);
+        String rounded = "";
+        for (int digits = 15; digits <= 17 && (rounded.isEmpty() || Double.parseDouble(rounded) != v); digits++) {
+            rounded = exact.round(new MathContext(digits)).toString();
+        }
+        return rounded;
     }
 }

@@ -36,15 +36,26 @@ public final class Prover {
     private final SceneRows rows;
     private final boolean isFlat;
     private final ContactSearch contacts = new ContactSearch();
+    private final Runnable betweenParts;
 
     /** A prover of claims about a scene. */
     public Prover(Scene scene) {
-        this(scene, null);
+        this(scene, () -> {});
     }
 
-    private Prover(Scene scene, @Nullable SceneRows earlier) {
+    /**
+     * A prover of claims about a scene.
+     *
+     * @param betweenParts runs very often while a proof is sought; it may throw, to end the search
+     */
+    public Prover(Scene scene, Runnable betweenParts) {
+        this(scene, Checks.present("betweenParts", betweenParts), null);
+    }
+
+    private Prover(Scene scene, Runnable betweenParts, @Nullable SceneRows earlier) {
         this.scene = Checks.present("scene", scene);
-        rows = new SceneRows(scene.objects(), earlier);
+        this.betweenParts = betweenParts;
+        rows = SceneRows.of(scene.objects(), earlier);
         isFlat = scene.dimension() == Dimension.PLANAR;
     }
 
@@ -55,7 +66,7 @@ public final class Prover {
 
     /** A prover for a scene that may have objects in common with this one's: what is known of these is kept. */
     public Prover with(Scene next) {
-        return new Prover(next, rows);
+        return new Prover(next, betweenParts, rows);
     }
 
     /** What the claims are about. */
@@ -207,7 +218,7 @@ public final class Prover {
         Claim claim = new Claim.Distance(body, self, other, low, high);
         Contact near = high == Double.POSITIVE_INFINITY
                 ? null
-                : new NearSearch(rows, isFlat).find(rows(body), self, other, high);
+                : new NearSearch(rows, isFlat, betweenParts).find(rows(body), self, other, high);
         if (near == null && high < Double.POSITIVE_INFINITY) {
             return Attempt.failed(claim, "no two points were found that are so near");
         }
@@ -235,6 +246,7 @@ public final class Prover {
         for (int i = 0; i < mine.size(); i++) {
             Rows.bounds(ContactSearch.moved(mine.get(i).stored, d), bounds, 0);
             for (int j = rows.first[other]; j < rows.first[other + 1]; j++) {
+                betweenParts.run();
                 if (isNear(bounds, j)) {
                     Contact found = contacts.find(i, mine.get(i), j, rows.exact(j), way, at, isFlat);
                     if (found != null) {
@@ -260,7 +272,7 @@ public final class Prover {
         for (int[] solid : ScenePieces.solids(scene.objects().get(other), rows.first[other])) {
             for (int i = 0; i < mine.size(); i++) {
                 Vec start = mine.get(i).c.plus(Vec.of(d[0], d[1], d[2]));
-                Point ray = Outsides.direction(start, rows.exact(solid), 1);
+                Point ray = outsides().direction(start, rows.exact(solid), 1);
                 if (ray != null) {
                     return new Contact(i, solid[0], Form.INSIDE, List.of(), ray, List.of());
                 }
@@ -269,13 +281,17 @@ public final class Prover {
         for (int[] solid : ScenePieces.solids(body, 0)) {
             for (int j = rows.first[other]; j < rows.first[other + 1]; j++) {
                 Vec start = rows.exact(j).c.minus(Vec.of(d[0], d[1], d[2]));
-                Point ray = Outsides.direction(start, mine.subList(solid[0], solid[1]), 1);
+                Point ray = outsides().direction(start, mine.subList(solid[0], solid[1]), 1);
                 if (ray != null) {
                     return new Contact(solid[0], j, Form.CONTAINS, List.of(), ray, List.of());
                 }
             }
         }
         return null;
+    }
+
+    private Outsides outsides() {
+        return new Outsides(rows, betweenParts);
     }
 
     private boolean leaves(GeometryObject body, Point displacement, double at) {
@@ -291,19 +307,20 @@ public final class Prover {
         Vec start = Vec.of(claim.start());
         Vec way = Vec.of(claim.direction());
         Vec far = start.plus((isFlat ? way.level() : way).times(Num.of(to)));
+        double[] bounds = {
+            Math.min(claim.start().x(), far.x().approximately()),
+            Math.min(claim.start().y(), far.y().approximately()),
+            Math.min(claim.start().z(), far.z().approximately()),
+            Math.max(claim.start().x(), far.x().approximately()),
+            Math.max(claim.start().y(), far.y().approximately()),
+            Math.max(claim.start().z(), far.z().approximately())
+        };
+        for (int k = 0; k < 3; k++) {
+            bounds[k] -= 1e-9 * Math.abs(bounds[k]);
+            bounds[3 + k] += 1e-9 * Math.abs(bounds[3 + k]);
+        }
         for (int j = rows.first[claim.other()]; j < rows.first[claim.other() + 1]; j++) {
-            double[] bounds = {
-                Math.min(claim.start().x(), far.x().approximately()),
-                Math.min(claim.start().y(), far.y().approximately()),
-                Math.min(claim.start().z(), far.z().approximately()),
-                Math.max(claim.start().x(), far.x().approximately()),
-                Math.max(claim.start().y(), far.y().approximately()),
-                Math.max(claim.start().z(), far.z().approximately())
-            };
-            for (int k = 0; k < 3; k++) {
-                bounds[k] -= 1e-9 * Math.abs(bounds[k]);
-                bounds[3 + k] += 1e-9 * Math.abs(bounds[3 + k]);
-            }
+            betweenParts.run();
             Piece piece = isNear(bounds, j) ? isFlat ? rows.exact(j).flat() : rows.exact(j) : null;
             if (piece != null && piece.meets(isFlat ? start.level() : start, isFlat ? far.level() : far, Num.ZERO)) {
                 return new Contact(0, j, Form.POINT, List.of(), new Point(to, 0, 0), List.of());
@@ -312,7 +329,7 @@ public final class Prover {
         for (int[] solid : isFlat
                 ? List.<int[]>of()
                 : ScenePieces.solids(scene.objects().get(claim.other()), rows.first[claim.other()])) {
-            Point ray = claim.low() == 0 ? Outsides.direction(start, rows.exact(solid), 1) : null;
+            Point ray = claim.low() == 0 ? outsides().direction(start, rows.exact(solid), 1) : null;
             if (ray != null) {
                 return new Contact(0, solid[0], Form.INSIDE, List.of(), ray, List.of());
             }
@@ -396,6 +413,7 @@ public final class Prover {
 
         private void pieces(SlabSearch search, int i, int object, double margin, double[] swept) {
             for (int j = rows.first[object]; j < rows.first[object + 1] && failure.isEmpty(); j++) {
+                betweenParts.run();
                 if (isClear(i, j, margin, swept) || search.find(i, j, false, slabs)) {
                     continue;
                 }
@@ -451,7 +469,7 @@ public final class Prover {
 
         Attempt attempt(Claim claim, @Nullable GeometryObject body, @Nullable Contact contact, double reach) {
             if (failure.isEmpty() && !isFlat && course.end + (body == null ? 0 : 1) > 0) {
-                failure = new Outsides(rows, scene).add(course, body, self, other, outsides);
+                failure = outsides().add(course, body, self, other, outsides);
             }
             Point size = scene.size();
             if (failure.isEmpty() && body != null && other == Claim.ALL && size != null && !isWithin(size)) {

@@ -18,33 +18,64 @@ final class SceneRows {
     private final @Nullable Piece[] exact;
 
     /** The pieces of a scene; those of objects that another one has at the same index are taken from there. */
-    SceneRows(List<GeometryObject> objects, @Nullable SceneRows earlier) {
+    static SceneRows of(List<GeometryObject> objects, @Nullable SceneRows earlier) {
+        SceneRows same = earlier == null ? null : earlier.with(objects);
+        return same == null ? new SceneRows(objects) : same;
+    }
+
+    private SceneRows(List<GeometryObject> objects) {
         this.objects = objects;
         List<double[]> all = new ArrayList<>(objects.size());
         first = new int[objects.size() + 1];
-        int same = 0;
         for (int k = 0; k < objects.size(); k++) {
-            if (earlier != null
-                    && k < earlier.objects.size()
-                    && earlier.objects.get(k) == objects.get(k)
-                    && earlier.first[k] == first[k]) {
-                all.addAll(Arrays.asList(earlier.rows).subList(earlier.first[k], earlier.first[k + 1]));
-                same++;
-            } else {
-                all.addAll(Piece.stored(objects.get(k)));
-            }
+            all.addAll(Piece.stored(objects.get(k)));
             first[k + 1] = all.size();
         }
         rows = all.toArray(double[][]::new);
         exact = new Piece[rows.length];
-        bounds = earlier != null && earlier.rows.length == rows.length && same > 0
-                ? earlier.bounds.clone()
-                : new double[6 * rows.length];
+        bounds = new double[6 * rows.length];
         for (int j = 0; j < rows.length; j++) {
-            if (earlier == null || bounds.length != earlier.bounds.length || earlier.rows[j] != rows[j]) {
-                Rows.bounds(rows[j], bounds, 6 * j);
+            Rows.bounds(rows[j], bounds, 6 * j);
+        }
+    }
+
+    private SceneRows(List<GeometryObject> objects, SceneRows earlier) {
+        this.objects = objects;
+        first = earlier.first;
+        rows = earlier.rows.clone();
+        exact = earlier.exact.clone();
+        bounds = earlier.bounds.clone();
+    }
+
+    /** The rows of as many objects with as many pieces each; null if these have others. */
+    private @Nullable SceneRows with(List<GeometryObject> others) {
+        if (others.size() != objects.size()) {
+            return null;
+        }
+        SceneRows made = this;
+        for (int k = 0; k < others.size(); k++) {
+            if (others.get(k) != objects.get(k)) {
+                made = made == this ? new SceneRows(others, this) : made;
+                if (!made.replace(k)) {
+                    return null;
+                }
             }
         }
+        return made;
+    }
+
+    private boolean replace(int object) {
+        List<double[]> stored = Piece.stored(objects.get(object));
+        if (stored.size() != first[object + 1] - first[object]) {
+            return false;
+        }
+        for (int k = 0; k < stored.size(); k++) {
+            int j = first[object] + k;
+            rows[j] = stored.get(k);
+            exact[j] = null;
+            Rows.bounds(rows[j], bounds, 6 * j);
+        }
+        return true;
     }
 
     Piece exact(int j) {

@@ -122,9 +122,11 @@ final class Separation {
     private boolean isFree(int i, int j, boolean isWeak) {
         Piece mine = path.body().get(i);
         Piece theirs = scene.piece(j);
-        for (int k = 0; k < fixed.size(); k++) {
+        int first = likely(mine, theirs);
+        for (int at = -1; at < fixed.size(); at++) {
+            int k = at == -1 ? first : at;
             Vec n = fixed.get(k);
-            Num bound = theirs.least(n);
+            Num bound = at == -1 ? theirs.leastAlongAxis(n) : theirs.least(n);
             boolean isBelow = path.isTurn()
                     ? path.turnsBelow(mine, n, Num.ZERO, path.end(), bound, isWeak, Num.ZERO)
                     : isLess(tops.computeIfAbsent(i * fixed.size() + k, key -> top(mine, n)), bound, n, isWeak);
@@ -146,6 +148,22 @@ final class Separation {
             isAny = true;
         }
         return isAny && from.compareTo(path.end()) >= 0;
+    }
+
+    /** The axis along which two pieces are the farthest from each other, to be tried first: few pairs need another. */
+    private int likely(Piece mine, Piece theirs) {
+        int axes = isFlat ? 2 : 3;
+        int likely = 0;
+        double most = 0;
+        for (int axis = 0; axis < axes; axis++) {
+            int of = isFlat ? 2 * axis : axis;
+            double ahead = theirs.stored[of] - mine.stored[of];
+            if (Math.abs(ahead) > most) {
+                most = Math.abs(ahead);
+                likely = 2 * axis + (ahead > 0 ? 0 : 1);
+            }
+        }
+        return likely;
     }
 
     private Num top(Piece piece, Vec n) {

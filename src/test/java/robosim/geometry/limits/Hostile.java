@@ -107,6 +107,7 @@ final class Hostile {
             batches.addAll(BatchSamples.copies());
             batches.add(BatchSamples.walks());
             batches.add(BatchSamples.attachments());
+            batches.addAll(BatchSamples.proofs());
             batches.addAll(BatchSamples.rules());
             batches.addAll(StepSamples.later());
             batches.add(
@@ -156,6 +157,8 @@ final class Hostile {
         lines.add("{\"type\":\"hello\",\"version\":1,\"resume\":\"\"}");
         lines.add(JsonLines.write(BatchSamples.walks()));
         lines.add(JsonLines.write(BatchSamples.attachments()));
+        lines.add(JsonLines.write(BatchSamples.proofs().get(0)));
+        lines.add(JsonLines.write(new Reply(BatchSamples.proofs().get(1))));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
         lines.add(JsonLines.write(new Reply(BatchSamples.rules().get(1))));
         lines.add(JsonLines.write(BatchSamples.rules().get(2)));

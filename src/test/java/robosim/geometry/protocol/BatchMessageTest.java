@@ -41,6 +41,7 @@ class BatchMessageTest {
     private static final String OBSTACLES = "obstacles.ser";
     private static final String LISTED = "listed.ser";
     private static final String WALKS = "walks.ser";
+    private static final String PROOFS = "proofs.ser";
     private static final String MEASURES = "measures.ser";
     private static final String RULES = "rules.ser";
 
@@ -190,6 +191,17 @@ class BatchMessageTest {
     }
 
     @Test
+    void proofsComeBackAsTheyWere() throws IOException {
+        List<Bundle> proofs = BatchSamples.proofs();
+        assertThat(MessageTest.readAll(MessageTest.write(proofs.toArray(Bundle[]::new))))
+                .isEqualTo(proofs);
+        assertThat(MessageTest.readAll(StoredBytesTest.stored(PROOFS))).isEqualTo(proofs);
+        assertThat(JsonLines.readRequest(JsonLines.write(proofs.get(0)))).isEqualTo(proofs.get(0));
+        Reply answers = new Reply(proofs.get(1));
+        assertThat(JsonLines.readReply(JsonLines.write(answers))).isEqualTo(answers);
+    }
+
+    @Test
     void walksComeBackAsTheyWere() throws IOException {
         Bundle walks = BatchSamples.walks();
         assertThat(MessageTest.readAll(MessageTest.write(walks))).isEqualTo(List.of(walks));
@@ -299,6 +311,9 @@ class BatchMessageTest {
             Files.write(
                     Path.of(args[0], RULES),
                     MessageTest.write(BatchSamples.rules().toArray(Bundle[]::new)));
+            Files.write(
+                    Path.of(args[0], PROOFS),
+                    MessageTest.write(BatchSamples.proofs().toArray(Bundle[]::new)));
             Files.write(Path.of(args[0], WALKS), MessageTest.write(BatchSamples.walks()));
             Files.write(
                     Path.of(args[0], WORLD),

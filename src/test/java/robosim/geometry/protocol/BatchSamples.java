@@ -283,6 +283,22 @@ public final class BatchSamples {
                 new WorldRequest.Detach("b")));
     }
 
+    /** Requests of proofs and of what they are about, and their answers. */
+    public static List<Bundle> proofs() {
+        return List.of(
+                new BatchRequestBundle(List.of(
+                        new WorldRequest.DescribeScene(),
+                        new WorldRequest.Prove(new WorldRequest.Locate("wall")),
+                        new WorldRequest.Prove(new WorldRequest.Go("r", 1, 0, 0, 0, -0.5)),
+                        new WorldRequest.Prove(new SenseRequest("r", new BeamPattern.Fan(0, 1, 3))))),
+                new BatchAnswerBundle(List.of(
+                        new WorldAnswer.SceneText(List.of("{\"objects\":[", "]}")),
+                        new WorldAnswer.Proved(List.of(
+                                new WorldAnswer.Evidence(List.of("{\"claim\":", "{}}"), ""),
+                                new WorldAnswer.Evidence(List.of(), "a turn of half a circle"))),
+                        new WorldAnswer.Proved(List.of()))));
+    }
+
     /** Distances out of range, freed objects and rules for surfaces. */
     public static List<Bundle> rules() {
         SenseRequest fan = new SenseRequest("r", new BeamPattern.Fan(0, 1, 3));

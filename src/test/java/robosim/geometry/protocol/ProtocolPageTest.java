@@ -79,7 +79,7 @@ class ProtocolPageTest {
             }
             assertThat(in.readLine()).as("after the error").isNull();
         }
-        assertThat(asked).isEqualTo(15);
-        assertThat(answered).isEqualTo(14);
+        assertThat(asked).isEqualTo(16);
+        assertThat(answered).isEqualTo(15);
     }
 }

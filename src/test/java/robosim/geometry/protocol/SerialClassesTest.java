@@ -94,7 +94,7 @@ class SerialClassesTest {
                         .isTrue();
             }
         }
-        assertThat(crossing).isEqualTo(105);
+        assertThat(crossing).isEqualTo(110);
     }
 
     /** An object under its own class's name, as no writer makes it. */
@@ -131,6 +131,7 @@ class SerialClassesTest {
                 + new String(StoredBytesTest.stored("obstacles.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("listed.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("walks.ser"), StandardCharsets.ISO_8859_1)
+                + new String(StoredBytesTest.stored("proofs.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("rules.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("measures.ser"), StandardCharsets.ISO_8859_1)
                 + new String(StoredBytesTest.stored("stops.ser"), StandardCharsets.ISO_8859_1)

@@ -35,6 +35,7 @@ public final class WorldRequests {
     private int characters;
     private int added;
     private final ObjectNumbers numbers = new ObjectNumbers();
+    private final ProofTexts proofs = new ProofTexts();
 
     /** How many objects there are now, of groups their members. */
     private int present;
@@ -150,6 +151,12 @@ public final class WorldRequests {
         }
         if (request instanceof WorldRequest.Drive drive) {
             return identified(drive(world, drive));
+        }
+        if (request instanceof WorldRequest.DescribeScene) {
+            return proofs.scene(world);
+        }
+        if (request instanceof WorldRequest.Prove asked) {
+            return proofs.of(world, asked.request());
         }
         if (request instanceof WorldRequest.Separate free) {
             Point displacement = world.separate(free.objectName(), free.max());

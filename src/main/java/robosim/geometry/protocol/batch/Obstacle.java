@@ -22,11 +22,9 @@ public record Obstacle(long index, String name, GeometryObject.Kind kind, Point 
     /** About the memory of one within an answer: itself, its points, and those of a contact with it. */
     static final long BYTES = 256;
 
-    /** Refuses null and a negative index. */
+    /** Refuses null, and an index that is negative or above 2<sup>53</sup> - 1. */
     public Obstacle {
-        if (index < 0) {
-            throw new IllegalArgumentException("index must be at least 0 (got: " + index + ")");
-        }
+        ListedObject.checkIndex("index", index);
         Checks.present("name", name);
         Checks.present("kind", kind);
         Checks.present("center", center);

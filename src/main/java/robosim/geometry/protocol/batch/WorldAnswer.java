@@ -317,6 +317,73 @@ public sealed interface WorldAnswer extends BatchAnswer {
     }
 
     /**
+     * The objects that proofs are about.
+     *
+     * @param scene JSON as {@code docs/proofs.md} describes it, in parts that are to be joined: a text of a message has a limit
+     */
+    record SceneText(List<String> scene) implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** The most characters of a scene: that of some 20,000 boxes. */
+        public static final int MOST_CHARACTERS = 1 << 22;
+
+        /** Refuses null. */
+        public SceneText {
+            scene = Checks.copy("scene", scene, String.class);
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.DescribeScene;
+        }
+    }
+
+    /**
+     * A proof, or why there is none.
+     *
+     * @param proof  JSON as {@code docs/proofs.md} describes it, in parts that are to be joined; empty if there is none
+     * @param reason why there is none; empty if there is one
+     */
+    record Evidence(List<String> proof, String reason) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null, and both a proof and a reason, or neither. */
+        public Evidence {
+            proof = Checks.copy("proof", proof, String.class);
+            Checks.present("reason", reason);
+            if (proof.isEmpty() == reason.isEmpty()) {
+                throw new IllegalArgumentException("either a proof or a reason must be given (got: "
+                        + (proof.isEmpty() ? "neither" : "both") + ")");
+            }
+        }
+    }
+
+    /**
+     * Proofs of an answer.
+     *
+     * @param proofs in the order of what they prove
+     */
+    record Proved(List<Evidence> proofs) implements WorldAnswer {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** Refuses null. */
+        public Proved {
+            proofs = Checks.copy("proofs", proofs, Evidence.class);
+        }
+
+        @Override
+        public boolean fits(BatchRequest request) {
+            return Checks.present("request", request) instanceof WorldRequest.Prove asked
+                    && (asked.request() instanceof SenseRequest
+                            ? proofs.size() == asked.size()
+                            : !proofs.isEmpty() && proofs.size() <= 4);
+        }
+    }
+
+    /**
      * A contact of a move that slides.
      *
      * @param obstacle what was met; null for the world's border

@@ -449,6 +449,69 @@ public sealed interface WorldRequest extends BatchRequest {
         }
     }
 
+    /** The objects that proofs about the world are about, as it is now. Answered by a {@link WorldAnswer.SceneText}. */
+    record DescribeScene() implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public String objectName() {
+            return "";
+        }
+
+        @Override
+        public long answerBytes() {
+            return 4L * WorldAnswer.SceneText.MOST_CHARACTERS;
+        }
+    }
+
+    /**
+     * Proofs of the answer that a request would have now; nothing is moved. Answered by a {@link WorldAnswer.Proved}, in which a
+     * {@link Locate} has one proof, that the object touches no other; a {@link Go} one for each part of the move, and one for its end;
+     * and a {@link SenseRequest} one for each beam, as if its blind range were 0.
+     *
+     * @param request a {@link Locate}, a {@link Go} or a {@link SenseRequest} of {@value #MOST_BEAMS} beams at most
+     */
+    record Prove(BatchRequest request) implements WorldRequest {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        /** The most beams of one request: a proof of one takes a millisecond in a world of 10,000 objects. */
+        public static final int MOST_BEAMS = 1024;
+
+        /** Refuses null and any other request. */
+        public Prove {
+            if (!(request instanceof Locate || request instanceof Go || request instanceof SenseRequest)) {
+                throw new IllegalArgumentException("request must be a Locate, a Go or a SenseRequest (got: "
+                        + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
+            }
+            if (request.size() > MOST_BEAMS) {
+                throw new IllegalArgumentException("request must have at most " + MOST_BEAMS
+                        + " beams; divide it into several (got: " + request.size() + ")");
+            }
+        }
+
+        @Override
+        public String objectName() {
+            return request.objectName();
+        }
+
+        @Override
+        public int size() {
+            return request.size();
+        }
+
+        @Override
+        public boolean isAboutMover() {
+            return request.isAboutMover();
+        }
+
+        @Override
+        public long answerBytes() {
+            return 4L * WorldAnswer.MOST_CHARACTERS;
+        }
+    }
+
     /**
      * A request whose answer says which objects are in the way, also those without a name. Answered by a {@link
      * WorldAnswer.Identified}.

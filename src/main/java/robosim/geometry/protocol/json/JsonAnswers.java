@@ -123,6 +123,15 @@ final class JsonAnswers {
                             .form("distances", JsonForm.packed(1, MessageLimits.MAX_BEAMS))
                             .omitting(Numbers.NONE, "distances")
                             .omitting(Integers.NONE, "singles")),
+            JsonKinds.kind("", JsonObject.of(WorldAnswer.SceneText.class)),
+            JsonKinds.kind(
+                    "",
+                    JsonObject.of(WorldAnswer.Proved.class)
+                            .form(
+                                    "proofs",
+                                    JsonForm.list(JsonObject.of(WorldAnswer.Evidence.class)
+                                            .omitting(List.of(), "proof")
+                                            .omitting("", "reason")))),
             JsonKinds.kind("", JsonObject.of(Failed.class)));
 
     static final JsonForm<List<Problem>> REFUSED = JsonForm.list(JsonObject.of(Refused.class)

@@ -106,6 +106,15 @@ final class JsonBatches {
                             .optional(Math.PI / 2, "maxSlope~"))
             .as(JsonBatches::unlessNone, slide -> slide);
 
+    private static final JsonObject<WorldRequest.Go> GO =
+            JsonObject.of(WorldRequest.Go.class).optional(0.0, MOVE);
+
+    private static final JsonObject<WorldRequest.Locate> LOCATE = JsonObject.of(WorldRequest.Locate.class);
+
+    /** The requests whose answers can be proved. */
+    private static final JsonKinds<BatchRequest> PROVABLE = JsonKinds.tagged(
+            "", JsonKinds.kind("sense", SENSE), JsonKinds.kind("pose", LOCATE), JsonKinds.kind("move", GO));
+
     private static final JsonKinds<BatchRequest> REQUEST = JsonKinds.tagged(
             "",
             JsonKinds.kind("sense", SENSE),
@@ -127,7 +136,7 @@ final class JsonBatches {
                             .omitting(List.of(), "ignored")),
             JsonKinds.kind("picture", PictureRequest.class, PICTURE),
             JsonKinds.kind("world", JsonObject.of(WorldRequest.Describe.class)),
-            JsonKinds.kind("pose", JsonObject.of(WorldRequest.Locate.class)),
+            JsonKinds.kind("pose", LOCATE),
             changing("place", JsonObject.of(WorldRequest.Place.class).optional(0.0, "heading~")),
             changing(
                     "add",
@@ -135,7 +144,7 @@ final class JsonBatches {
                             .form("object", JsonShapes.OBJECT)
                             .omitting(false, "overlapping")),
             JsonKinds.kind("remove", JsonObject.of(WorldRequest.Remove.class)),
-            changing("move", JsonObject.of(WorldRequest.Go.class).optional(0.0, MOVE)),
+            changing("move", GO),
             JsonKinds.kind(
                     "moveToContact",
                     JsonObject.of(WorldRequest.GoToContact.class).optional(0.0, MOVE + " clearance")),
@@ -159,6 +168,8 @@ final class JsonBatches {
                             .form("mount", MOUNT)
                             .omitting(null, "mount")),
             JsonKinds.kind("detach", JsonObject.of(WorldRequest.Detach.class)),
+            JsonKinds.kind("scene", JsonObject.of(WorldRequest.DescribeScene.class)),
+            JsonKinds.kind("prove", JsonObject.of(WorldRequest.Prove.class).form("request", PROVABLE)),
             JsonKinds.kind(
                     "copy",
                     JsonObject.of(CopyRequest.Make.class).form("index", JsonForm.whole(0, CopyRequest.MOST - 1))),

@@ -215,6 +215,14 @@ class BatchValuesTest {
         refuses("objectName", () -> new WorldRequest.Attach(null, "r", null));
         refuses("carrier", () -> new WorldRequest.Attach("b", null, null));
         refuses("objectName", () -> new WorldRequest.Detach(null));
+        refuses("request must be a Locate", () -> new WorldRequest.Prove(new WorldRequest.Detach("r")));
+        refuses("request must be a Locate", () -> new WorldRequest.Prove(null));
+        refuses(
+                "request must have at most 1024 beams",
+                () -> new WorldRequest.Prove(new SenseRequest("r", new BeamPattern.Fan(0, 0.001, 1025))));
+        refuses("index must be from 0 to 2^53", () -> new Obstacle(1L << 53, "", GeometryObject.Kind.BOX, new Point()));
+        refuses("either a proof or a reason", () -> new WorldAnswer.Evidence(List.of(), ""));
+        refuses("either a proof or a reason", () -> new WorldAnswer.Evidence(List.of("{}"), "why"));
         refuses("displacement", () -> new WorldAnswer.Separated(null));
         refuses("snap ", v -> new WorldRequest.Walk(0, 1, v), Double.NaN, -1, 1e300);
         refuses("bends must be from 0 to 64", v -> new WorldRequest.GoAndSlide("r", 0, 0, 0, 0, 0, 0, (int) v), -1, 65);

@@ -218,7 +218,7 @@ class JsonBatchesTest {
                 Arguments.of(
                         batch("{\"kind\":\"x\",\"objectName\":\"r\"}"),
                         "must be sense, poses, edges, measure, picture, world, pose, place, add, remove, move,"
-                                + " moveToContact, drive, moveAndSlide, list, separate, attach, detach, copy or tick (got: \"x\")"),
+                                + " moveToContact, drive, moveAndSlide, list, separate, attach, detach, scene, prove, copy or tick (got: \"x\")"),
                 Arguments.of(batch("{\"kind\":\"poses\",\"poses\":\"\"}"), "must have the field \"objectName\""),
                 Arguments.of(fan(",\"poses\":\"\""), "of kind \"sense\" it must not have the field \"poses\""),
                 Arguments.of(fan(",\"min\":2,\"max\":1"), "at /requests/0/max: max must be at least min"),

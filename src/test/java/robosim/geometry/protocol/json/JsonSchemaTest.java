@@ -162,6 +162,7 @@ class JsonSchemaTest {
         lines.add(JsonLines.write(BatchSamples.copies().get(0)));
         lines.add("{\"type\":\"hello\",\"version\":1,\"resume\":\"\"}");
         lines.add(JsonLines.write(BatchSamples.walks()));
+        lines.add(JsonLines.write(BatchSamples.proofs().get(0)));
         lines.add(JsonLines.write(BatchSamples.attachments()));
         lines.add(JsonLines.write(BatchSamples.rules().get(0)));
         lines.add(JsonLines.write(BatchSamples.drives().get(0)));
@@ -201,6 +202,7 @@ class JsonSchemaTest {
                 JsonLines.write(new Reply(StepSamples.answer(), List.of(Problem.of(1, "why")))),
                 JsonLines.write(new Reply(StepSamples.landing())),
                 JsonLines.write(new Reply(BatchSamples.rules().get(1))),
+                JsonLines.write(new Reply(BatchSamples.proofs().get(1))),
                 JsonLines.write(new Reply(BatchSamples.drives().get(1))),
                 JsonLines.write(new Reply(StepSamples.later().get(1))),
                 JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
