@@ -506,16 +506,19 @@ def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
 
 
 def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[Sequence[float]] = None,
-         **fields: float) -> Json:
+         ignored: Sequence[str] = (), **fields: float) -> Json:
     """A body for a moveable object: mass in kg and inertia in kg m^2, restitution, static_friction, sliding_friction and
     floor_friction without units, damping and turn_damping in shares a second, max_speed in m/s and max_turn in radians a
-    second, drag in kg/m and rolling (a share of the load); of a static object the surface alone. A drive is the name of its kind or of `drive_settings`; a velocity has x,
-    y and z in m/s along the object's own axes, and ry in radians a second."""
+    second, drag in kg/m and rolling (a share of the load); of a static object the surface alone. A drive is the name of its kind or
+    of `drive_settings`; a velocity has x, y and z in m/s along the object's own axes, and ry in radians a second. `ignored`
+    has names of objects or layers that it passes through, and they through it."""
     told = {"objectName": name, **_fields("a body", fields, _BODY)}
     if drive is not None:
         told["drive"] = drive_settings(drive) if isinstance(drive, str) else drive
     if velocity is not None:
         told["velocity"] = Velocity(*velocity)._asdict()
+    if ignored:
+        told["ignored"] = list(ignored)
     return told
 
 

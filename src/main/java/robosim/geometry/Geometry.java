@@ -384,7 +384,7 @@ public final class Geometry implements WorldQueries {
         Checks.present("move", move);
         Checks.present("avoid", avoid).begin(engine);
         try {
-            boolean isFree = engine.motion.attemptOwnAvoiding(view, id, move, avoid.margin());
+            boolean isFree = engine.motion.attemptOwn(view, id, move, avoid.margin());
             MoveResult result = result(isFree);
             if (isFree) {
                 engine.motion.commit();

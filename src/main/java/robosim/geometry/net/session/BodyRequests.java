@@ -1,5 +1,6 @@
 package robosim.geometry.net.session;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.dynamics.AckermannDrive;
 import robosim.geometry.dynamics.Body;
@@ -44,7 +45,8 @@ public final class BodyRequests {
                 drive == null ? null : of(drive),
                 null,
                 body.drag(),
-                body.rolling());
+                body.rolling(),
+                List.copyOf(body.ignored()));
     }
 
     /** A surface. */

@@ -232,7 +232,8 @@ public final class BodyStepper {
                 .withDamping(asked.damping(), asked.turnDamping())
                 .withLimits(asked.maxSpeed(), degrees(asked.maxTurn()))
                 .withFloorFriction(asked.floorFriction())
-                .withDrag(asked.drag(), asked.rolling());
+                .withDrag(asked.drag(), asked.rolling())
+                .ignoring(asked.ignored());
         // All that may be refused is made before anything is changed, so that what is refused leaves nothing behind.
         String name = asked.objectName();
         DriveSettings settings = asked.drive();

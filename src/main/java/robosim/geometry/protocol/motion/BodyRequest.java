@@ -2,6 +2,7 @@ package robosim.geometry.protocol.motion;
 
 import java.io.Serial;
 import java.io.Serializable;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 
@@ -24,6 +25,7 @@ import robosim.geometry.check.Checks;
  * @param velocity    its velocity; null for what it had, at first none
  * @param drag        quadratic drag, kg/m: at a speed v a force of {@code drag * v * v}
  * @param rolling     rolling resistance, a share of the load; in a planar world it adds to {@code floorFriction}
+ * @param ignored     names of objects, or of layers, that it passes through and they through it; null stands for none
  */
 public record BodyRequest(
         String objectName,
@@ -38,7 +40,8 @@ public record BodyRequest(
         @Nullable DriveSettings drive,
         @Nullable Velocity velocity,
         double drag,
-        double rolling)
+        double rolling,
+        List<String> ignored)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -59,6 +62,7 @@ public record BodyRequest(
         floorFriction = Amounts.atLeastZero("floorFriction", floorFriction);
         drag = Amounts.atLeastZero("drag", drag);
         rolling = Amounts.atLeastZero("rolling", rolling);
+        ignored = ignored == null ? List.of() : Checks.copy("ignored", ignored, String.class);
     }
 
     /** A body without drag and rolling resistance. */
@@ -87,7 +91,8 @@ public record BodyRequest(
                 drive,
                 velocity,
                 0,
-                0);
+                0,
+                List.of());
     }
 
     /** A smooth body of the default mass and friction on the floor, which nothing drives, dampens or limits. */
@@ -141,7 +146,27 @@ public record BodyRequest(
                 drive,
                 velocity,
                 quadratic,
-                ofRolling);
+                ofRolling,
+                ignored);
+    }
+
+    /** This body passing through the objects of some names or layers. */
+    public BodyRequest ignoring(List<String> names) {
+        return new BodyRequest(
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity,
+                drag,
+                rolling,
+                names);
     }
 
     private BodyRequest with(
@@ -165,6 +190,7 @@ public record BodyRequest(
                 driven,
                 moving,
                 drag,
-                rolling);
+                rolling,
+                ignored);
     }
 }

@@ -42,6 +42,7 @@ public final class WorldBodies {
                 drive == null ? null : BodyRequests.of(drive),
                 null,
                 body.drag(),
-                body.rolling());
+                body.rolling(),
+                List.copyOf(body.ignored()));
     }
 }
