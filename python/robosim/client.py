@@ -649,12 +649,14 @@ def edges(name: str, numbers: Iterable[float]) -> Json:
     return {"kind": "edges", "objectName": name, "edges": _packed(numbers)}
 
 
-def measure(name: str, question: str, numbers: Iterable[float], *, max: float = math.inf, margin: float = 0.0,
-            ignored: Iterable[str] = ()) -> Json:
-    """Numbers about many poses ("DISTANCES", "CLEARANCES"), edges ("EDGES") or drives ("DRIVES"); see the methods clearances,
-    edge_fractions and drive_fractions of a Module."""
+def measure(name: str, question: str, numbers: Iterable[float] = (), *, max: float = math.inf, margin: float = 0.0,
+            ignored: Iterable[str] = (), other: Optional[str] = None) -> Json:
+    """Numbers about many poses ("DISTANCES", "CLEARANCES"), edges ("EDGES") or drives ("DRIVES"), or about the object and
+    an `other` ("SIGNED"); see the methods clearances, edge_fractions, drive_fractions and signed_distance of a Module."""
     request: Json = {"kind": "measure", "objectName": name, "question": question, "numbers": _packed(numbers),
                      "margin": margin, "ignored": list(ignored)}
+    if other is not None:
+        request["other"] = other
     return request if max == math.inf else {**request, "max": max}
 
 
@@ -1208,6 +1210,11 @@ class Module:
         direction from that. Objects in `ignored`, named themselves or by a layer, do not count."""
         question = "CLEARANCES" if points else "DISTANCES"
         return self._one(measure(name, question, numbers, max=max, ignored=ignored))
+
+    def signed_distance(self, name: str, other: str) -> "array.array[float]":
+        """The signed distance of two objects where they are, below 0 where they overlap. Eleven numbers: a lower bound, an upper
+        bound, a point on the first, one on the other, and the direction from that."""
+        return self._one(measure(name, "SIGNED", other=other))
 
     def edge_fractions(self, name: str, numbers: Iterable[float], margin: float = 0.0,
                        ignored: Iterable[str] = ()) -> "array.array[float]":
