@@ -2,9 +2,9 @@ package robosim.geometry.collision;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.meshes.TriangleMesh;
-import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
