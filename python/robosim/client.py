@@ -516,16 +516,19 @@ def _fields(what: str, given: Json, known: Sequence[str]) -> Json:
 
 
 def body(name: str, *, drive: Union[str, Json, None] = None, velocity: Optional[Sequence[float]] = None,
-         **fields: float) -> Json:
+         ignored: Sequence[str] = (), **fields: float) -> Json:
     """A body for a moveable object: mass in kg and inertia in kg m^2, restitution, static_friction, sliding_friction and
     floor_friction without units, damping and turn_damping in shares a second, max_speed in m/s and max_turn in radians a
-    second, drag in kg/m and rolling (a share of the load); of a static object the surface alone. A drive is the name of its kind or of `drive_settings`; a velocity has x,
-    y and z in m/s along the object's own axes, and ry in radians a second."""
+    second, drag in kg/m and rolling (a share of the load); of a static object the surface alone. A drive is the name of its kind or
+    of `drive_settings`; a velocity has x, y and z in m/s along the object's own axes, and ry in radians a second. `ignored`
+    has names of objects or layers that it passes through, and they through it."""
     told = {"objectName": name, **_fields("a body", fields, _BODY)}
     if drive is not None:
         told["drive"] = drive_settings(drive) if isinstance(drive, str) else drive
     if velocity is not None:
         told["velocity"] = Velocity(*velocity)._asdict()
+    if ignored:
+        told["ignored"] = list(ignored)
     return told
 
 
@@ -656,12 +659,14 @@ def edges(name: str, numbers: Iterable[float]) -> Json:
     return {"kind": "edges", "objectName": name, "edges": _packed(numbers)}
 
 
-def measure(name: str, question: str, numbers: Iterable[float], *, max: float = math.inf, margin: float = 0.0,
-            ignored: Iterable[str] = ()) -> Json:
-    """Numbers about many poses ("DISTANCES", "CLEARANCES"), edges ("EDGES") or drives ("DRIVES"); see the methods clearances,
-    edge_fractions and drive_fractions of a Module."""
+def measure(name: str, question: str, numbers: Iterable[float] = (), *, max: float = math.inf, margin: float = 0.0,
+            ignored: Iterable[str] = (), other: Optional[str] = None) -> Json:
+    """Numbers about many poses ("DISTANCES", "CLEARANCES"), edges ("EDGES") or drives ("DRIVES"), or about the object and
+    an `other` ("SIGNED"); see the methods clearances, edge_fractions, drive_fractions and signed_distance of a Module."""
     request: Json = {"kind": "measure", "objectName": name, "question": question, "numbers": _packed(numbers),
                      "margin": margin, "ignored": list(ignored)}
+    if other is not None:
+        request["other"] = other
     return request if max == math.inf else {**request, "max": max}
 
 
@@ -1234,6 +1239,11 @@ class Module:
         direction from that. Objects in `ignored`, named themselves or by a layer, do not count."""
         question = "CLEARANCES" if points else "DISTANCES"
         return self._one(measure(name, question, numbers, max=max, ignored=ignored))
+
+    def signed_distance(self, name: str, other: str) -> "array.array[float]":
+        """The signed distance of two objects where they are, below 0 where they overlap. Eleven numbers: a lower bound, an upper
+        bound, a point on the first, one on the other, and the direction from that."""
+        return self._one(measure(name, "SIGNED", other=other))
 
     def edge_fractions(self, name: str, numbers: Iterable[float], margin: float = 0.0,
                        ignored: Iterable[str] = ()) -> "array.array[float]":

@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
+import robosim.geometry.collision.SignedDistance;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
@@ -384,7 +385,7 @@ public final class Geometry implements WorldQueries {
         Checks.present("move", move);
         Checks.present("avoid", avoid).begin(engine);
         try {
-            boolean isFree = engine.motion.attemptOwnAvoiding(view, id, move, avoid.margin());
+            boolean isFree = engine.motion.attemptOwn(view, id, move, avoid.margin());
             MoveResult result = result(isFree);
             if (isFree) {
                 engine.motion.commit();
@@ -643,6 +644,27 @@ public final class Geometry implements WorldQueries {
         } finally {
             objects.ignored.clear();
         }
+    }
+
+    /**
+     * The signed distance of two objects of this world, as {@link
+     * robosim.geometry.collision.ContactQuery#signedDistance(GeometryObject, GeometryObject) ContactQuery.signedDistance} has it
+     * in the dimension of the world; below {@code EXACT} that of what stands for them.
+     *
+     * @param name  of any object, moveable or not
+     * @param other of another one
+     */
+    public SignedDistance signedDistance(String name, String other) {
+        registry.begin("signedDistance");
+        int id = registry.known(name);
+        int second = registry.known(other);
+        if (id == second) {
+            throw new IllegalArgumentException("other must be another object than name (got: \"" + other + "\")");
+        }
+        ClearanceQuery query = engine.clearance();
+        query.present(view, id);
+        query.measure(second, Double.POSITIVE_INFINITY);
+        return ObjectSearch.signed(query);
     }
 
     /**

@@ -164,14 +164,17 @@ public final class ObjectSearch {
     }
 
     static NearObject near(ObjectTable objects, int id, double distance, ClearanceQuery measured) {
+        return new NearObject(objects.present(id), distance, signed(measured));
+    }
+
+    static SignedDistance signed(ClearanceQuery measured) {
         double[] w = measured.witness();
-        SignedDistance signed = new SignedDistance(
+        return new SignedDistance(
                 measured.low(),
                 measured.high(),
                 new Point(w[0], w[1], w[2]),
                 new Point(w[3], w[4], w[5]),
                 new Point(w[6], w[7], w[8]),
                 measured.steps());
-        return new NearObject(objects.present(id), distance, signed);
     }
 }

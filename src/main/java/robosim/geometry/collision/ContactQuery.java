@@ -7,6 +7,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -137,10 +138,18 @@ public final class ContactQuery {
      * @return 0 if the beam starts inside a solid or on the object; {@code +Infinity} if it misses
      */
     public static double beamDistance(Ray ray, double width, GeometryObject object) {
+        return beamDistance(ray, width, object, Accuracy.EXACT);
+    }
+
+    /** The same to what stands for an object at an accuracy, which is never farther. */
+    public static double beamDistance(Ray ray, double width, GeometryObject object, Accuracy accuracy) {
         Checks.present("ray", ray);
         Checks.width(width);
+        Checks.present("object", object);
         ContactQuery query = MEMORY.get();
-        LeafColumn leaves = Parts.leaves(Checks.present("object", object), query.first);
+        LeafColumn leaves = object.kind() == GeometryObject.Kind.GRID
+                ? Parts.leaves(object, query.first)
+                : Parts.leaves(object, Checks.present("accuracy", accuracy), Dimension.SPATIAL, query.first);
         Cast cast = new Cast(query.scratch);
         Point from = ray.start();
         Point to = ray.direction();
@@ -168,7 +177,16 @@ public final class ContactQuery {
      * spent. More steps never widen the bracket and never change a decided answer.
      */
     public static Verdict decide(GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
-        return limited(a, b, dimension, budget, false);
+        return decide(a, b, dimension, Accuracy.EXACT, budget);
+    }
+
+    /**
+     * The same for what stands for the two objects at an accuracy: a sphere, box or prism around each. It never misses what the
+     * objects themselves touch.
+     */
+    public static Verdict decide(
+            GeometryObject a, GeometryObject b, Dimension dimension, Accuracy accuracy, Budget budget) {
+        return limited(a, b, dimension, accuracy, budget, false);
     }
 
     /**
@@ -185,7 +203,13 @@ public final class ContactQuery {
      * with rounding errors taken into account.
      */
     public static Verdict distance(GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
-        return limited(a, b, dimension, budget, true);
+        return distance(a, b, dimension, Accuracy.EXACT, budget);
+    }
+
+    /** The same for what stands for the two objects at an accuracy: the lower end is one for the objects themselves too. */
+    public static Verdict distance(
+            GeometryObject a, GeometryObject b, Dimension dimension, Accuracy accuracy, Budget budget) {
+        return limited(a, b, dimension, accuracy, budget, true);
     }
 
     /**
@@ -212,13 +236,20 @@ public final class ContactQuery {
      */
     public static SignedDistance signedDistance(
             GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
+        return signedDistance(a, b, dimension, Accuracy.EXACT, budget);
+    }
+
+    /** The same for what stands for the two objects at an accuracy: the lower end is one for the objects themselves too. */
+    public static SignedDistance signedDistance(
+            GeometryObject a, GeometryObject b, Dimension dimension, Accuracy accuracy, Budget budget) {
         long start = System.nanoTime();
         check(a, b, dimension);
+        Checks.present("accuracy", accuracy);
         Checks.present("budget", budget);
         ContactQuery query = MEMORY.get();
         SignedPairs signed = query.signed;
-        LeafColumn ofA = leaves(a, query.first);
-        LeafColumn ofB = leaves(b, query.second);
+        LeafColumn ofA = Parts.leaves(a, accuracy, dimension, query.first);
+        LeafColumn ofB = Parts.leaves(b, accuracy, dimension, query.second);
         if (budget.steps() > 0 && budget.nanos() > 0 && signed.isAnswered(dimension, ofA, ofB)) {
             return query.signed();
         }
@@ -232,10 +263,6 @@ public final class ContactQuery {
         }
         signed.finish();
         return query.signed();
-    }
-
-    private static LeafColumn leaves(GeometryObject object, LeafColumn column) {
-        return object.kind() == GeometryObject.Kind.GRID ? Parts.of(object).leaves() : Parts.leaves(object, column);
     }
 
     private SignedDistance signed() {
@@ -260,13 +287,22 @@ public final class ContactQuery {
     }
 
     private static Verdict limited(
-            GeometryObject a, GeometryObject b, Dimension dimension, Budget budget, boolean measures) {
+            GeometryObject a,
+            GeometryObject b,
+            Dimension dimension,
+            Accuracy accuracy,
+            Budget budget,
+            boolean measures) {
         long start = System.nanoTime();
         check(a, b, dimension);
+        Checks.present("accuracy", accuracy);
         Checks.present("budget", budget);
         ContactQuery query = MEMORY.get();
         NearestPairs nearest = query.nearest;
-        nearest.start(dimension, leaves(a, query.first), leaves(b, query.second));
+        nearest.start(
+                dimension,
+                Parts.leaves(a, accuracy, dimension, query.first),
+                Parts.leaves(b, accuracy, dimension, query.second));
         long nanos = budget.nanos();
         while (!(measures ? nearest.isMeasured() : nearest.isDecided()) && nearest.steps() < budget.steps()) {
             if (nearest.steps() % STEPS_A_LOOK == 0 && System.nanoTime() - start >= nanos) {

@@ -2,11 +2,17 @@ package robosim.geometry.collision;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.meshes.TriangleMesh;
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.GridObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.narrow.leaf.Enclosure;
 import robosim.geometry.narrow.leaf.GridWalk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -32,6 +38,25 @@ record Parts(LeafColumn leaves, int @Nullable [] cells) {
         }
         LocalLeaves.placed(object, column);
         return column;
+    }
+
+    /** What stands for an object at an accuracy, in a dimension; of a grid its occupied cells. */
+    static LeafColumn leaves(GeometryObject object, Accuracy accuracy, Dimension dimension, LeafColumn column) {
+        if (object.kind() == GeometryObject.Kind.GRID) {
+            return of(object).leaves();
+        }
+        if (accuracy == Accuracy.EXACT) {
+            return leaves(object, column);
+        }
+        Pose pose = object.pose();
+        Point center = pose.center();
+        double[] rotation = new double[Attitude.STRIDE];
+        pose.attitude(rotation, 0);
+        LeafColumn enclosure = new LeafColumn(1);
+        enclosure.append(1);
+        new Enclosure(accuracy, LocalLeaves.of(object))
+                .place(dimension, center.x(), center.y(), center.z(), rotation, 0, enclosure, 0);
+        return enclosure;
     }
 
     /** All parts but, of a grid, cells that another object certainly does not touch. */

@@ -1,5 +1,8 @@
 package robosim.geometry.dynamics;
 
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.Set;
 import robosim.geometry.check.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Twist;
@@ -36,6 +39,8 @@ import robosim.geometry.model.Twist;
  * @param rolling     rolling resistance, a share of the load: in a SPATIAL world a torque of {@code rolling} times load times the
  *                    distance of the contact from the centre acts against rolling. In a PLANAR world, where nothing rolls, it adds to
  *                    {@code floorFriction} and slows the turn as that does
+ * @param ignored    names of objects, or of layers, that it passes through in a step, and they through it, whichever of the two bodies
+ *                   names the other. A name that is no longer in the world stands for nothing
  */
 public record Body(
         double mass,
@@ -49,7 +54,8 @@ public record Body(
         double inertiaX,
         double inertiaZ,
         double drag,
-        double rolling) {
+        double rolling,
+        Set<String> ignored) {
     /** Standard gravity, m/s<sup>2</sup>: 9.80665. */
     public static final double GRAVITY = 9.80665;
 
@@ -67,6 +73,7 @@ public record Body(
         inertiaZ = QuantityChecks.atLeastZero("inertiaZ", inertiaZ);
         drag = QuantityChecks.atLeastZero("drag", drag);
         rolling = QuantityChecks.atLeastZero("rolling", rolling);
+        ignored = Checks.names("ignored", ignored);
         if (inertiaX > 0 && inertiaZ > 0) {
             QuantityChecks.moments(inertiaX, inertia, inertiaZ);
         }
@@ -84,7 +91,20 @@ public record Body(
             double floorFriction,
             double inertiaX,
             double inertiaZ) {
-        this(mass, inertia, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, inertiaX, inertiaZ, 0, 0);
+        this(
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                inertiaX,
+                inertiaZ,
+                0,
+                0,
+                Set.of());
     }
 
     /** A smooth body that nothing slows or limits. */
@@ -165,7 +185,8 @@ public record Body(
     }
 
     private Body with(Surface by, double ofSpeed, double ofTurn, double speed, double turn, double friction) {
-        return new Body(mass, inertia, by, ofSpeed, ofTurn, speed, turn, friction, inertiaX, inertiaZ, drag, rolling);
+        return new Body(
+                mass, inertia, by, ofSpeed, ofTurn, speed, turn, friction, inertiaX, inertiaZ, drag, rolling, ignored);
     }
 
     /** This body with quadratic drag, kg/m, and rolling resistance, a share of the load. */
@@ -182,7 +203,26 @@ public record Body(
                 inertiaX,
                 inertiaZ,
                 quadratic,
-                ofRolling);
+                ofRolling,
+                ignored);
+    }
+
+    /** This body passing through the objects of some names or layers, and no longer through those that it had. */
+    public Body ignoring(Collection<String> names) {
+        return new Body(
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                inertiaX,
+                inertiaZ,
+                drag,
+                rolling,
+                new LinkedHashSet<>(Checks.present("names", names)));
     }
 
     /**
@@ -206,7 +246,8 @@ public record Body(
                 QuantityChecks.positive("aboutX", aboutX),
                 QuantityChecks.positive("aboutZ", aboutZ),
                 drag,
-                rolling);
+                rolling,
+                ignored);
     }
 
     /** The moments of a solid of a shape that has this body, about its own axes. */
@@ -232,14 +273,25 @@ public record Body(
 
     /** This body with one moment of inertia, about the vertical. */
     Body about(double vertical) {
-        return new Body(
-                mass, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, 0, 0, drag, rolling);
+        return with(mass, vertical);
     }
 
     /** This body with the mass and the moment of inertia about the vertical of all that is attached to it. */
     Body with(double total, double vertical) {
         return new Body(
-                total, vertical, surface, damping, turnDamping, maxSpeed, maxTurn, floorFriction, 0, 0, drag, rolling);
+                total,
+                vertical,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                0,
+                0,
+                drag,
+                rolling,
+                ignored);
     }
 
     /** By how much the floor slows it, m/s<sup>2</sup>. */

@@ -1,6 +1,7 @@
 package robosim.geometry.dynamics;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,6 +13,7 @@ import robosim.geometry.Geometry;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.planar.PlanarStepper;
 import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.IgnoredPairs;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
@@ -96,6 +98,9 @@ public final class Dynamics {
     private final PlanarStepper.Pushes pushes = this::push;
     private boolean isStale = true;
 
+    /** How often the stepper has been given all bodies. */
+    private long prepared;
+
     /** Whether a body has three moments of inertia, of which its attitude makes one. */
     private boolean hasMoments;
 
@@ -162,7 +167,11 @@ public final class Dynamics {
         pauseBy(() -> {});
     }
 
-    /** Gives a moveable object of the world a body, at rest; or another body, which keeps its velocity. */
+    /**
+     * Gives a moveable object of the world a body, at rest; or another body, which keeps its velocity.
+     *
+     * @throws IllegalArgumentException if no object and no layer has a name that the body ignores
+     */
     public void add(String name, Body body) {
         GeometryObject object = world.getObject(name);
         Checks.present("body", body);
@@ -172,6 +181,8 @@ public final class Dynamics {
         if (falling != null) {
             SpatialBodies.check(object);
         }
+        engine.registry.ignore(body.ignored()); // refuses names that are not there
+        objects.ignored.clear();
         BodyState before = find(name);
         attached.disband();
         BodyState state = new BodyState(name, body, engine);
@@ -506,6 +517,7 @@ public final class Dynamics {
         private final List<BodyState> states = new ArrayList<>(bodies.size());
         private final List<BodyState> inOrder = List.copyOf(order);
         private final boolean wasStale = isStale;
+        private final long wasPrepared = prepared;
         private final long wasAssembledAt = attached.assembledAt;
 
         Kept() {
@@ -524,7 +536,7 @@ public final class Dynamics {
             bodies.clear();
             states.forEach(each -> bodies.put(each.name, each));
             table.undo();
-            isStale = wasStale || attached.assembledAt != wasAssembledAt;
+            isStale = wasStale || prepared != wasPrepared || attached.assembledAt != wasAssembledAt;
             attached.assembledAt = wasAssembledAt;
             order.clear();
             inOrder.forEach(each -> order.add(bodies.getOrDefault(each.name, each)));
@@ -685,6 +697,7 @@ public final class Dynamics {
             return;
         }
         bodies.values().removeIf(each -> !each.isThere(engine));
+        prepared++;
         stepper.clear();
         order.clear();
         hasMoments = false;
@@ -705,9 +718,20 @@ public final class Dynamics {
             int b = stepper.add(id, mass, isLoaded ? each.acting.inertia() : each.body.inertia());
             stepper.setOffset(b, 0.0 - each.armX, 0.0 - each.armZ);
         }
+        ignore(stepper.passing(), bodies.values(), objects);
         objects.moverIds().filter(id -> !moved.contains(id)).forEach(id -> stepper.add(id, 0, 0));
         stepper.build(table);
         isStale = false;
+    }
+
+    /** Sets which objects pass through each other; bodies that are attached to others follow these. */
+    static void ignore(IgnoredPairs passing, Collection<BodyState> bodies, ObjectTable objects) {
+        passing.clear();
+        for (BodyState each : bodies) {
+            if (each.root == null) {
+                passing.add(objects.find(each.name), each.body.ignored());
+            }
+        }
     }
 
     /** What happened in the last step. */

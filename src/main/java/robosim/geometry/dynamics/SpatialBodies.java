@@ -68,6 +68,7 @@ final class SpatialBodies {
         changes = keptChanges;
         order.clear();
         keptOrder.forEach(each -> order.add(bodies.getOrDefault(each.name, each)));
+        Dynamics.ignore(space.passing(), order, world.objects);
     }
 
     /** Makes a step in which there is nobody. */
@@ -99,6 +100,7 @@ final class SpatialBodies {
         bodies.values().removeIf(each -> !each.isThere(world));
         space.clear();
         order.clear();
+        Dynamics.ignore(space.passing(), bodies.values(), objects);
         table.begin(objects);
         for (BodyState each : bodies.values()) {
             int id = world.mover(each.name);

@@ -31,6 +31,9 @@ import robosim.geometry.material.TextureCoordinates;
 public final class MeshObject extends PlacedObject<MeshObject> implements GeometryObject {
     private static final long serialVersionUID = 1;
 
+    /** A terrain of 4,096 x 4,096 heights, which takes some 6 GB. */
+    private static final int MOST_HEIGHTS = 1 << 24;
+
     private final transient TriangleMesh triangles;
     private final transient boolean solid;
     private final transient @Nullable GeometryObject boundingVolume;
@@ -107,6 +110,52 @@ public final class MeshObject extends PlacedObject<MeshObject> implements Geomet
             throw new IllegalArgumentException("points must hold at least one point (got: none)");
         }
         return new MeshObject(Tag.NONE, Pose.ORIGIN, hull(coordinates), true, null);
+    }
+
+    /**
+     * A terrain: the surface over a level grid of points, each of which has a height. Its own frame has its origin in the middle
+     * of the grid, at height 0; columns go along its own X, rows along its own Z. Each cell is a quad on the diagonal from its
+     * least corner to its greatest, counter-clockwise seen from above. Neighbours share corners to the bit, so nothing slips
+     * through between them. What is below the surface is free.
+     *
+     * <pre>{@code
+     * MeshObject ramp = MeshObject.heightfield(0.5, 3, 2, 0, 0, 1, 0, 0, 1);
+     * ramp.faces().length;                                                     // 2
+     * CollisionDetection.rayDistance(new Ray(new Point(0.25, 2, 0), new Point(0, -1, 0)), ramp); // 1.5
+     * }</pre>
+     *
+     * <p>It is a mesh like any other, and takes as much memory: some 350 bytes for each height once its world has been asked.
+     *
+     * @param cell    world units from a point to the next; above 0
+     * @param columns points along X; at least 2
+     * @param rows    points along Z; at least 2. There are at most 2<sup>24</sup> points
+     * @param heights world units, row by row, beginning with the least Z: that in column i and row j is {@code j * columns + i}
+     */
+    public static MeshObject heightfield(double cell, int columns, int rows, double... heights) {
+        if (!(cell > 0)) {
+            throw new IllegalArgumentException("cell must be above 0 (got: " + cell + ")");
+        }
+        if (columns < 2 || rows < 2 || (long) columns * rows > MOST_HEIGHTS) {
+            throw new IllegalArgumentException("columns and rows must be at least 2, and their product at most "
+                    + MOST_HEIGHTS + "; take every other height, or several terrains (got: " + columns + " x " + rows
+                    + ")");
+        }
+        if (Checks.present("heights", heights).length != columns * rows) {
+            throw new IllegalArgumentException("heights must be " + columns + " * " + rows + " = " + columns * rows
+                    + " numbers (got: " + heights.length + ")");
+        }
+        double[] coordinates = new double[3 * heights.length];
+        for (int k = 0; k < heights.length; k++) {
+            coordinates[3 * k] = cell * (k % columns - 0.5 * (columns - 1));
+            coordinates[3 * k + 1] = Checks.coordinate("heights[" + k + "]", heights[k]);
+            coordinates[3 * k + 2] = cell * (k / columns - 0.5 * (rows - 1));
+        }
+        int[][] faces = new int[(columns - 1) * (rows - 1)][];
+        for (int f = 0; f < faces.length; f++) {
+            int corner = f / (columns - 1) * columns + f % (columns - 1);
+            faces[f] = new int[] {corner, corner + columns, corner + columns + 1, corner + 1};
+        }
+        return new MeshObject(Tag.NONE, Pose.ORIGIN, new TriangleMesh(coordinates, faces), false, null);
     }
 
     /** The convex hull of this mesh, where it stands and under its name. */

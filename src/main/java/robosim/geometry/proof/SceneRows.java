@@ -1,7 +1,6 @@
 package robosim.geometry.proof;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;

@@ -76,7 +76,7 @@ final class Element {
     /** Whether its content is text, that is, numbers. */
     boolean takesText() {
         return switch (name) {
-            case "vertices", "triangles", "quads", "grid", "uv", "corners", "image" -> true;
+            case "vertices", "triangles", "quads", "heights", "grid", "uv", "corners", "image" -> true;
             default -> false;
         };
     }

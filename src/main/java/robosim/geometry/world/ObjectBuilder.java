@@ -2,6 +2,7 @@ package robosim.geometry.world;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
@@ -332,6 +333,8 @@ final class ObjectBuilder {
             }
         } else if (WorldMaterials.reads(element)) {
             materials.readText(element);
+        } else if (element.name.equals("heights")) {
+            readHeights(element);
         } else if (element.takesText()) {
             readNumbers(element);
         }
@@ -365,6 +368,36 @@ final class ObjectBuilder {
                         + " cells together; use larger cells (got: " + includedCells + ")");
             }
         }
+    }
+
+    /** Reads a terrain into the corners and faces of its surface. */
+    private void readHeights(Element element) throws FileProblem {
+        double cell = length(element, "cell", "0");
+        int columns = Numbers.integer(element.attribute("columns", "0"));
+        Text text = element.text;
+        Unit unit = unit(element);
+        double[] heights = new double[64];
+        int count = 0;
+        while (text.next()) {
+            if (count > Limits.MAX_FACES / 2) {
+                throw new IllegalArgumentException("a terrain must have at most " + Limits.MAX_FACES / 2
+                        + " heights; take every other one, or several terrains (got: more)");
+            }
+            heights = count == heights.length ? Arrays.copyOf(heights, 2 * count) : heights;
+            try {
+                heights[count++] = Unit.length(text.token(), unit);
+            } catch (IllegalArgumentException e) {
+                throw new FileProblem(source, text.line(), text.column(), "<heights>: " + e.getMessage(), e);
+            }
+        }
+        if (columns == 0 || count % columns != 0) {
+            throw new IllegalArgumentException(
+                    "heights must be whole rows of " + columns + " numbers (got: " + count + " numbers)");
+        }
+        FileWork.take(count);
+        MeshObject surface = MeshObject.heightfield(cell, columns, count / columns, Arrays.copyOf(heights, count));
+        element.vertices.addAll(surface.vertices());
+        element.faces.addAll(Arrays.asList(surface.faces()));
     }
 
     private void readNumbers(Element element) throws FileProblem {

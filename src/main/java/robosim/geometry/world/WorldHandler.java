@@ -254,6 +254,10 @@ final class WorldHandler extends XmlHandler {
             case "checker", "stripes", "image" -> parent.texture = builder.materials.texture(element);
             case "uv" -> parent.uv = element.uv;
             case "corners" -> parent.corners = element.corners;
+            case "heights" -> {
+                parent.vertices.addAll(element.vertices);
+                parent.faces.addAll(element.faces);
+            }
             case "vertices" -> parent.vertices.addAll(element.vertices);
             default -> parent.faces.addAll(element.faces);
         }

@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.collision.Budget;
+import robosim.geometry.collision.Certainty;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.collision.SignedDistance;
@@ -88,8 +89,12 @@ class SignedDistanceTest {
         assertThat(found.high() - found.low())
                 .as(pair)
                 .isLessThan(truth.signed().signum() > 0 ? 1e-12 : 1e-9);
-        boolean touches = ContactQuery.decide(a, b, dimension, Budget.UNLIMITED).answer() == Verdict.Answer.YES;
-        assertThat(touches ? found.high() <= 0 : found.low() >= 0).as(pair).isTrue();
+        Verdict verdict = ContactQuery.decide(a, b, dimension, Budget.UNLIMITED);
+        boolean touches = verdict.answer() == Verdict.Answer.YES;
+        boolean isUncertain = touches && verdict.certainty() == Certainty.UNCERTAIN; // round, and closer than 2^-43
+        assertThat(touches ? found.high() <= 0 || isUncertain : found.low() >= 0)
+                .as(pair)
+                .isTrue();
         apart += touches ? 0 : 1;
         overlapping += touches ? 1 : 0;
         direction(found, truth, dimension, pair);

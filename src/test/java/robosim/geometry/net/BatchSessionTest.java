@@ -14,6 +14,9 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.Avoidance;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
+import robosim.geometry.collision.Budget;
+import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.collision.SignedDistance;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
@@ -559,6 +562,29 @@ class BatchSessionTest {
         }
         assertThat(clear).isBetween(20, 260);
         assertThat(within).isBetween(10, 260);
+        for (GeometryObject other : world.objects()) {
+            String name = other.name();
+            if (name != null && !name.equals("cart")) {
+                SignedDistance truth = ContactQuery.signedDistance(
+                        world.getObject("cart"), other, world.dimension(), Budget.UNLIMITED);
+                assertThat(world.signedDistance("cart", name)).isEqualTo(truth);
+                assertThat(ask(MeasureRequest.signed("cart", name)).get(0))
+                        .isEqualTo(new MeasureRequest.Answer(Numbers.of(
+                                truth.low(),
+                                truth.high(),
+                                truth.onA().x(),
+                                truth.onA().y(),
+                                truth.onA().z(),
+                                truth.onB().x(),
+                                truth.onB().y(),
+                                truth.onB().z(),
+                                truth.direction().x(),
+                                truth.direction().y(),
+                                truth.direction().z())));
+            }
+        }
+        assertThat(ask(MeasureRequest.signed("cart", "cart"), MeasureRequest.signed("nobody", "cart")))
+                .containsExactly(new NoAnswer(), new NoAnswer());
         assertThat(ask(measure(Question.DISTANCES, new double[4], 1, 0, List.of("nobody")))
                         .get(0))
                 .isEqualTo(new NoAnswer());

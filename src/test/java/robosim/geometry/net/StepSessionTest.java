@@ -129,6 +129,18 @@ class StepSessionTest {
     }
 
     @Test
+    void aBodyPassesThroughWhatItIgnoresAndAnUnknownNameIsRefused() {
+        Session session = session();
+        BodyRequest crate = BodyRequest.of("crate").withFloorFriction(0).withVelocity(new Velocity(8, 0, 0, 0));
+        Reply refused = reply(session, new StepBundle(0, List.of(crate.ignoring(List.of("wal"))), List.of()));
+        assertThat(refused.problems().get(0).reason()).contains("perhaps \"wall\" (got: \"wal\")");
+        StepBundle.Answer answer =
+                step(session, new StepBundle(1, List.of(crate.ignoring(List.of("wall", "cart"))), List.of()));
+        assertThat(answer.contacts()).isEmpty();
+        assertThat(answer.bodies().get(0).center().x()).isEqualTo(10, within(1e-9));
+    }
+
+    @Test
     void aSessionStepsAsDynamicsDo() {
         Session session = session();
         StepBundle.Answer first = step(

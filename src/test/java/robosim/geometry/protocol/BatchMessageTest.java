@@ -95,6 +95,26 @@ class BatchMessageTest {
     }
 
     @Test
+    void aSignedDistanceIsAskedForByTwoNames() throws IOException {
+        BatchRequestBundle asked = new BatchRequestBundle(List.of(MeasureRequest.signed("a", "\u00e9")));
+        assertThat(asked.size()).isEqualTo(1);
+        assertThat(MessageTest.readAll(MessageTest.write(asked))).containsExactly(asked);
+        assertThat(JsonLines.readRequest(JsonLines.write(asked))).isEqualTo(asked);
+        assertThat(JsonLines.readRequest("{\"type\":\"batch\",\"requests\":[{\"kind\":\"measure\",\"objectName\":\"a\","
+                        + "\"question\":\"SIGNED\",\"other\":\"\u00e9\"}]}"))
+                .isEqualTo(asked);
+        List<String> none = List.of();
+        assertThatThrownBy(() -> new MeasureRequest(
+                        "a", MeasureRequest.Question.SIGNED, Numbers.of(1, 2, 3, 4), 1, 0, none, "b"))
+                .hasMessageContaining("numbers, margin and ignored must be left out for SIGNED (got: 4 numbers");
+        assertThatThrownBy(() -> new MeasureRequest("a", MeasureRequest.Question.SIGNED, Numbers.NONE, 1, 0, none))
+                .hasMessageContaining("other must be a name for SIGNED");
+        assertThatThrownBy(
+                        () -> new MeasureRequest("a", MeasureRequest.Question.DISTANCES, Numbers.NONE, 1, 0, none, "b"))
+                .hasMessageContaining("(got: b for DISTANCES)");
+    }
+
+    @Test
     void drivesAndLayersComeBackAsTheyWere() throws IOException {
         List<Bundle> drives = BatchSamples.drives();
         assertThat(MessageTest.readAll(MessageTest.write(drives.toArray(Bundle[]::new))))

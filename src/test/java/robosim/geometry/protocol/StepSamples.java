@@ -67,7 +67,9 @@ public final class StepSamples {
                 0.05,
                 List.of(
                         BodyRequest.of("a").withDrag(0.25, 0.5),
-                        BodyRequest.of("n").withDrive(DriveSettings.of(DriveSettings.Kind.NONE)),
+                        BodyRequest.of("n")
+                                .ignoring(List.of("cloth"))
+                                .withDrive(DriveSettings.of(DriveSettings.Kind.NONE)),
                         BodyRequest.of("t")
                                 .withDrive(DriveSettings.of(
                                         new SwerveSettings(List.of(new Point(0.25, 0, -0.5)), 1.5, 0, null))),
@@ -166,7 +168,8 @@ public final class StepSamples {
                             ? null
                             : new Velocity(number(random, -9, 9), 0, number(random, -1e9, 9), number(random, -1, 1)),
                     random.nextBoolean() ? 0 : number(random, 0, 1e9),
-                    random.nextBoolean() ? 0 : number(random, 0, 1)));
+                    random.nextBoolean() ? 0 : number(random, 0, 1),
+                    random.nextBoolean() ? List.of() : List.of("cloth", "body 1")));
             Point push = new Point(number(random, -9, 9), number(random, -1e9, 1e9), 0);
             pushes.add(new PushRequest(
                     "body " + random.nextInt(9),

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -100,7 +101,12 @@ class BodyFilesTest {
         assertThat(body("<sonar count=\"2\"/><body mass=\"5\" inertia=\"0.5\" restitution=\"0.25\" friction=\"0.5\""
                         + " slidingFriction=\"0.4\" floorFriction=\"0\" damping=\"1\" turnDamping=\"2\" maxSpeed=\"3\""
                         + " maxTurn=\"90\"/>"))
-                .isEqualTo(new ObjectBody(5, 0.5, new Surface(0.25, 0.5, 0.4), 0, 1, 2, 3, 90, 0, 0, null));
+                .isEqualTo(new ObjectBody(5, 0.5, new Surface(0.25, 0.5, 0.4), 0, 1, 2, 3, 90, 0, 0, Set.of(), null));
+        assertThat(Objects.requireNonNull(body("<body ignored=\" glass  wall\"/>"))
+                        .ignored())
+                .containsExactlyInAnyOrder("glass", "wall");
+        assertThatThrownBy(() -> new ObjectBody(0, 0, Surface.SMOOTH, 0, 0, 0, NONE, NONE, 0, 0, Set.of("a b"), null))
+                .hasMessageContaining("put the object into a layer (got: \"a b\")");
         assertThat(Objects.requireNonNull(body("<body friction=\"0.5\"/>")).surface())
                 .isEqualTo(new Surface(0, 0.5, 0.5));
     }
@@ -207,6 +213,7 @@ class BodyFilesTest {
                                     limit(random),
                                     random.nextInt(2),
                                     random.nextInt(2),
+                                    random.nextBoolean() ? Set.of() : Set.of("glass", "box" + k),
                                     drive(random))));
         }
         World world = new World(9, 9, 9, objects);

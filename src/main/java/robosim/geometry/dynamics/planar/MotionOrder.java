@@ -2,6 +2,7 @@ package robosim.geometry.dynamics.planar;
 
 import java.util.Arrays;
 import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.IgnoredPairs;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.DoubleDouble;
@@ -45,6 +46,7 @@ final class MotionOrder {
     private final World world;
     private final MovingBodies bodies;
     private final double gap;
+    private final IgnoredPairs passing;
 
     private final Trajectories legs = new Trajectories();
     private final Trajectories shortened = new Trajectories();
@@ -95,6 +97,7 @@ final class MotionOrder {
     MotionOrder(World world, PlanarScene scene, double gap) {
         this.world = world;
         bodies = scene.bodies;
+        passing = scene.passing;
         allAtOnce = new SimultaneousMotion(scene);
         this.gap = gap;
     }
@@ -385,8 +388,15 @@ final class MotionOrder {
     private boolean makes(int b, double massX, double massZ, double degrees) {
         bodies.betweenParts.run();
         int id = bodies.id[b];
-        double dx = massX - swingX(b, degrees);
-        double dz = massZ - swingZ(b, degrees);
+        passing.begin(id);
+        try {
+            return translatesAndTurns(id, massX - swingX(b, degrees), massZ - swingZ(b, degrees), degrees);
+        } finally {
+            passing.end();
+        }
+    }
+
+    private boolean translatesAndTurns(int id, double dx, double dz, double degrees) {
         boolean translates = dx != 0 || dz != 0;
         if (!translates || world.translate(id, dx, 0, dz)) {
             if (degrees == 0 || world.turn(id, degrees)) {
@@ -411,7 +421,7 @@ final class MotionOrder {
      * there is nobody who could.
      */
     private boolean letGo(int b, double until, double dx, double dz, double degrees) {
-        int obstacle = world.blocker(bodies.id[b], dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees);
+        int obstacle = blocker(b, dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees);
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
         if (other < 0 || isOnWay[other] || isBlocked[other] || ++waiting > MOST_WAITING) {
             return false;
@@ -424,6 +434,15 @@ final class MotionOrder {
         }
         double was = done[other];
         return bring(other, until) || done[other] > was;
+    }
+
+    private int blocker(int b, double dx, double dz, double degrees) {
+        passing.begin(bodies.id[b]);
+        try {
+            return world.blocker(bodies.id[b], dx, dz, degrees);
+        } finally {
+            passing.end();
+        }
     }
 
     /** Takes a body back to where it was before its last motion; it is brought forward again when the other has gone. */
@@ -458,7 +477,7 @@ final class MotionOrder {
         double degrees = Degrees.toDegrees(by);
         double cos = bodies.isOffset(b) ? cos(b, 0) : 1;
         double sin = bodies.isOffset(b) ? sin(b, 0) : 0;
-        boolean isThere = world.moveToContact(id, dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees, gap);
+        boolean isThere = isThere(id, dx - swingX(b, degrees), dz - swingZ(b, degrees), degrees);
         int obstacle = isThere ? -1 : world.obstacle();
         blocker[b] = obstacle;
         int other = obstacle < 0 || obstacle >= bodyOf.length ? -1 : bodyOf[obstacle];
@@ -477,6 +496,15 @@ final class MotionOrder {
         double turning = Math.abs(by) * bodies.size[b];
         double least = MOST_GAPS * Math.max(gap, 0x1p-42 * (Math.abs(fromX) + Math.abs(fromZ)));
         isBlocked[b] = !isThere && lacking + turning > Math.max(least, (1 - LEAST_SHARE) * (length(dx, dz) + turning));
+    }
+
+    private boolean isThere(int id, double dx, double dz, double degrees) {
+        passing.begin(id);
+        try {
+            return world.moveToContact(id, dx, dz, degrees, gap);
+        } finally {
+            passing.end();
+        }
     }
 
     private static double length(double x, double z) {

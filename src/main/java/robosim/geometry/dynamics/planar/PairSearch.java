@@ -73,7 +73,9 @@ final class PairSearch {
         int found = grid.foundCount;
         for (int k = 0; k < found; k++) {
             int other = grid.found[k];
-            if (other != b && (canMove || bodies.ownLightness[other] > 0)) {
+            if (other != b
+                    && (canMove || bodies.ownLightness[other] > 0)
+                    && !scene.passing.has(bodies.id[b], bodies.id[other])) {
                 pairUp(b, other, isFirst, now);
             }
         }
@@ -83,6 +85,9 @@ final class PairSearch {
         scene.stillGrid.find(own[0], own[1], own[2], own[3]);
         for (int k = 0; k < scene.stillGrid.foundCount; k++) {
             int piece = scene.firstStill + scene.stillGrid.found[k];
+            if (scene.passing.has(bodies.id[b], scene.pieces.object[piece])) {
+                continue;
+            }
             for (int p = bodies.firstPiece[b]; p < bodies.firstPiece[b] + bodies.pieces[b]; p++) {
                 if (isFirst || !pairs.has(b, p, piece)) {
                     int pair = pairs.add(p, b, piece, -1);

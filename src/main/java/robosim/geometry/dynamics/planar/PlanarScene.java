@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.IgnoredPairs;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.BoxObject;
@@ -15,6 +16,9 @@ import robosim.geometry.model.Pose;
 final class PlanarScene {
     final MovingBodies bodies = new MovingBodies();
     final ConvexPieces pieces = new ConvexPieces();
+
+    /** What passes through each other. */
+    final IgnoredPairs passing;
 
     /** How each piece bounces and rubs. */
     double[] restitution = new double[8];
@@ -40,6 +44,7 @@ final class PlanarScene {
 
     PlanarScene(World world) {
         this.world = world;
+        passing = new IgnoredPairs(world.objects, world.registry.attachments);
         halfX = world.width / 2;
         halfZ = world.length / 2;
     }

@@ -2,6 +2,7 @@ package robosim.geometry.dynamics.planar;
 
 import java.util.Arrays;
 import robosim.geometry.engine.World;
+import robosim.geometry.engine.objects.IgnoredPairs;
 
 /**
  * Lets the bodies of a PLANAR world go on for a time: they move at constant speeds from one collision to the next, each with
@@ -77,6 +78,11 @@ public final class PlanarStepper {
         touches = new ContactLog(world.objects);
         before = new ContactLog(world.objects);
         older = new ContactLog(world.objects);
+    }
+
+    /** What passes through each other; set before a build. */
+    public IgnoredPairs passing() {
+        return scene.passing;
     }
 
     /** Runs something between two parts of each step. */

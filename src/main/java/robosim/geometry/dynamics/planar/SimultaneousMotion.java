@@ -192,6 +192,10 @@ final class SimultaneousMotion {
     }
 
     private void add(int body, int other) {
+        int object = other < 0 ? scene.pieces.object[-1 - other] : bodies.id[other];
+        if (scene.passing.has(bodies.id[body], object)) {
+            return;
+        }
         if (pairs == a.length) {
             a = Arrays.copyOf(a, 2 * pairs);
             b = Arrays.copyOf(b, 2 * pairs);

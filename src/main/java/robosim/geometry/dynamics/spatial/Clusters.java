@@ -2,6 +2,7 @@ package robosim.geometry.dynamics.spatial;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiPredicate;
 
 /**
  * The bodies that can touch each other in a slice of time, directly or through others: what one cluster does in it concerns no
@@ -15,6 +16,7 @@ final class Clusters {
 
     private final List<RigidBody> bodies;
     private final double pull;
+    private final BiPredicate<RigidBody, RigidBody> arePassing;
 
     /** Bodies by where their balls begin, which changes little from slice to slice. */
     private int[] order = new int[0];
@@ -28,7 +30,9 @@ final class Clusters {
     private int[] next = new int[0];
     private int[] last = new int[0];
 
-    Clusters(List<RigidBody> bodies, double[] gravity) {
+    /** Two bodies that pass through each other cannot touch each other. */
+    Clusters(List<RigidBody> bodies, double[] gravity, BiPredicate<RigidBody, RigidBody> arePassing) {
+        this.arePassing = arePassing;
         this.bodies = bodies;
         pull = RigidBody.length(gravity, 0);
     }
@@ -60,7 +64,7 @@ final class Clusters {
             int b = order[k];
             double end = bodies.get(b).place[0] + size[b];
             for (int m = k + 1; m < all && begin[order[m]] <= end; m++) {
-                if (isNear(b, order[m])) {
+                if (isNear(b, order[m]) && !arePassing.test(bodies.get(b), bodies.get(order[m]))) {
                     join(b, order[m]);
                 }
             }

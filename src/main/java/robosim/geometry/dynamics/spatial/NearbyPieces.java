@@ -96,6 +96,11 @@ final class NearbyPieces implements Placer.Pieces {
         }
     }
 
+    /** Whether two bodies pass through each other. */
+    boolean arePassing(RigidBody one, RigidBody other) {
+        return placer.passing.has(one.id, other.id);
+    }
+
     /** Writes the leaf of a body at a place. */
     void leaf(RigidBody body, double[] place, LeafColumn out) {
         placer.leaves(body.id, place, out);

@@ -8,6 +8,7 @@ import robosim.geometry.dynamics.planar.ContactLog;
 import robosim.geometry.dynamics.planar.ContactSurfaces;
 import robosim.geometry.engine.World;
 import robosim.geometry.engine.motion.Placer;
+import robosim.geometry.engine.objects.IgnoredPairs;
 import robosim.geometry.engine.objects.ObjectTable;
 
 /**
@@ -67,7 +68,7 @@ public final class SpatialStepper {
                 new NearbyPieces(placer, new double[] {world.width / 2, world.height / 2, world.length / 2});
         way = new TurningSweep(placer, near);
         this.gravity = gravity.clone();
-        cluster = new Clusters(bodies, this.gravity);
+        cluster = new Clusters(bodies, this.gravity, near::arePassing);
         budget = new EnergyBudget(bodies, this.gravity, cluster);
         traction = new Traction(bodies, this.gravity, cluster);
         impulses = new SequentialImpulses(bodies, traction);
@@ -91,6 +92,11 @@ public final class SpatialStepper {
         way.read(body);
         bodies.add(body);
         return bodies.size() - 1;
+    }
+
+    /** What passes through each other; set when bodies are added. */
+    public IgnoredPairs passing() {
+        return placer.passing;
     }
 
     /** Sets what drives bodies. */

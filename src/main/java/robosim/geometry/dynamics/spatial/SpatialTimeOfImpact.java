@@ -69,7 +69,7 @@ final class SpatialTimeOfImpact {
                 motion(one, seconds, wayA, turnA);
                 for (int m = k + 1; m < cluster.count; m++) {
                     RigidBody other = bodies.get(cluster.member[m]);
-                    if (!other.isAsleep) {
+                    if (!other.isAsleep && !near.arePassing(one, other)) {
                         first = Math.min(first, impact(one, other, seconds, first));
                     }
                 }

@@ -190,6 +190,7 @@ public final class Motion {
         if (gap == 0
                 && turnX == 0
                 && turnY == 0
+                && objects.ignored.isEmpty()
                 && goesStraight(mover, straight().find(inView, mover, x, y, z))) {
             return true;
         }
@@ -207,7 +208,7 @@ public final class Motion {
 
     /** The same along the object's own axes, and about them. */
     public boolean attemptOwn(AccuracyView inView, int mover, Move move, double gap) {
-        if (gap == 0 && move.rx() == 0 && move.ry() == 0) {
+        if (gap == 0 && move.rx() == 0 && move.ry() == 0 && objects.ignored.isEmpty()) {
             objects.toWorld(mover, move.x(), move.y(), move.z(), vector);
             if (goesStraight(mover, straight().find(inView, mover, vector[0], vector[1], vector[2]))) {
                 return true;
@@ -294,7 +295,7 @@ public final class Motion {
 
     /** Whether a displacement in the world's axes is free, and no more: {@link #end()} is only set where it is. */
     public boolean allows(AccuracyView inView, int mover, double x, double y, double z) {
-        int verdict = straight().find(inView, mover, x, y, z);
+        int verdict = objects.ignored.isEmpty() ? straight().find(inView, mover, x, y, z) : TranslationFastPath.UNKNOWN;
         if (goesStraight(mover, verdict) || verdict == TranslationFastPath.BLOCKED) {
             return verdict == TranslationFastPath.FREE;
         }
@@ -355,13 +356,6 @@ public final class Motion {
             AccuracyView inView, int mover, double[] place, double[] displacement, double byDegrees, double gap) {
         begin(inView, mover, gap, true, place, 0);
         return attempt(displacement[0], displacement[1], displacement[2], 0, byDegrees, true);
-    }
-
-    /** Tries a move along the object's own axes, as {@link #attemptOwn}, while objects may be ignored. */
-    public boolean attemptOwnAvoiding(AccuracyView inView, int mover, Move move, double gap) {
-        begin(inView, mover, gap, true);
-        segment.takeOwnAxes();
-        return attempt(move.x(), move.y(), move.z(), move.rx(), move.ry(), false);
     }
 
     private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd) {

@@ -3,6 +3,7 @@ package robosim.geometry.engine.motion;
 import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.objects.IgnoredPairs;
 import robosim.geometry.engine.objects.ObjectLeaves;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.model.Accuracy;
@@ -27,6 +28,9 @@ public final class Placer {
 
     public final ObjectTable objects;
 
+    /** What passes through each other, and so is not around each other. */
+    public final IgnoredPairs passing;
+
     private final ObjectRegistry registry;
     private final Motion motion;
     private final Candidates candidates;
@@ -41,6 +45,7 @@ public final class Placer {
         this.registry = registry;
         this.motion = motion;
         objects = registry.objects;
+        passing = new IgnoredPairs(objects, registry.attachments);
         candidates = new Candidates(objects);
     }
 
@@ -59,7 +64,12 @@ public final class Placer {
 
     /** Whether a moveable object would touch nothing at a place, and be within the world; exact. */
     public boolean isFree(int id, double[] place) {
-        return registry.fitsAt(id, place) && !registry.collidesAt(registry.view, id, place);
+        passing.begin(id);
+        try {
+            return registry.fitsAt(id, place) && !registry.collidesAt(registry.view, id, place);
+        } finally {
+            passing.end();
+        }
     }
 
     /** Puts a moveable object at a place that is known to be free. */
@@ -74,14 +84,24 @@ public final class Placer {
      * @return the share that was made: 1 for all
      */
     public double toContact(int id, double dx, double dy, double dz, double gap) {
-        boolean all = motion.attemptBeside(registry.view, id, dx, dy, dz, 0, gap);
-        motion.commit();
-        return all ? 1 : motion.fraction();
+        passing.begin(id);
+        try {
+            boolean all = motion.attemptBeside(registry.view, id, dx, dy, dz, 0, gap);
+            motion.commit();
+            return all ? 1 : motion.fraction();
+        } finally {
+            passing.end();
+        }
     }
 
     /** Shows all pieces of other objects whose bounds meet a box. */
     public void around(int id, double[] box, Pieces out) {
-        candidates.find(registry.view, box, id);
+        passing.begin(id);
+        try {
+            candidates.find(registry.view, box, id);
+        } finally {
+            passing.end();
+        }
         for (int k = 0; k < candidates.count(); k++) {
             int other = candidates.id(k);
             LeafTable table = registry.view.table(other);

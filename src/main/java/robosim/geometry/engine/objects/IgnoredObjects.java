@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
 
 /** The objects that do not count for the current query; mostly none. */
 public final class IgnoredObjects {
+    private static final int[] NONE = new int[0];
+
     private final ObjectTable objects;
     private final BitSet own = new BitSet();
     private final BitSet shared = new BitSet();
@@ -33,22 +35,31 @@ public final class IgnoredObjects {
         (ObjectTable.isShared(id) ? shared : own).set(ObjectTable.local(id));
     }
 
+    /** Leaves out those that another list leaves out, too. */
+    void addAll(IgnoredObjects others) {
+        isEmpty &= others.isEmpty;
+        own.or(others.own);
+        shared.or(others.shared);
+    }
+
     /** Leaves out all objects of a layer; false if there are none. */
     public boolean addLayer(String name) {
+        int[] members = layer(name);
+        for (int id : members) {
+            add(id);
+        }
+        return members.length > 0;
+    }
+
+    /** The ids of the objects of a layer; none if there is no such layer. */
+    int[] layer(String name) {
         Map<String, int[]> known = layers;
         if (known == null || listed != objects.changes()) {
             known = list();
             layers = known;
             listed = objects.changes();
         }
-        int[] members = known.get(name);
-        if (members == null) {
-            return false;
-        }
-        for (int id : members) {
-            add(id);
-        }
-        return true;
+        return known.getOrDefault(name, NONE);
     }
 
     private Map<String, int[]> list() {

@@ -221,6 +221,10 @@ final class ObjectTree {
             part = parts.item(firstItem(parts, code));
             code = 0;
         }
+        if (column.kind(part) == LeafKind.PRISM) {
+            prismPoint(column.rows(), part * Leaf.STRIDE, out);
+            return;
+        }
         if (!column.kind(part).isMesh()) {
             System.arraycopy(column.rows(), part * Leaf.STRIDE, out, 0, 3);
             return;
@@ -228,6 +232,16 @@ final class ObjectTree {
         TriangleMesh mesh = column.mesh(part);
         int item = code < 0 ? ~code : firstItem(mesh.tree(), code);
         vertex(part, mesh.vertex(mesh.tree().item(item), 0), out, 0);
+    }
+
+    /** Half-way along X, and there half-way along Z and in height: a prism is given by ranges, and has no centre. */
+    private static void prismPoint(double[] row, int at, double[] out) {
+        double x = row[at] / 2 + row[at + 1] / 2;
+        double least = Math.max(row[at + 2], Math.max(row[at + 4] - x, x - row[at + 7]));
+        double most = Math.min(row[at + 3], Math.min(row[at + 5] - x, x - row[at + 6]));
+        out[0] = x;
+        out[1] = row[at + 8] / 2 + row[at + 9] / 2;
+        out[2] = least / 2 + most / 2;
     }
 
     private static int firstItem(BoxTree tree, int node) {

@@ -1,10 +1,14 @@
 package robosim.geometry.net.session;
 
+import java.util.List;
 import robosim.geometry.Avoidance;
 import robosim.geometry.Geometry;
 import robosim.geometry.SenseBuffer;
 import robosim.geometry.SenseBuffer.Extra;
+import robosim.geometry.check.Checks;
+import robosim.geometry.collision.SignedDistance;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
@@ -196,9 +200,21 @@ public final class Batches {
                 case DISTANCES, CLEARANCES -> world.clearances(name, given, request.max(), avoid, found);
                 case EDGES -> world.edgeFractions(name, given, avoid, found);
                 case DRIVES -> world.driveFractions(name, given, avoid, found);
+                case SIGNED -> write(world.signedDistance(name, Checks.present("other", request.other())), found);
             }
             System.arraycopy(found, 0, numbers, question.answered * first, found.length);
         }
         return new MeasureRequest.Answer(new Numbers(numbers));
+    }
+
+    private static void write(SignedDistance signed, double[] out) {
+        out[0] = signed.low();
+        out[1] = signed.high();
+        int at = 2;
+        for (Point point : List.of(signed.onA(), signed.onB(), signed.direction())) {
+            out[at++] = point.x();
+            out[at++] = point.y();
+            out[at++] = point.z();
+        }
     }
 }

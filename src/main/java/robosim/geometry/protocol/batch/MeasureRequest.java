@@ -3,6 +3,7 @@ package robosim.geometry.protocol.batch;
 import java.io.Serial;
 import java.util.HashSet;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 
 /**
@@ -17,9 +18,16 @@ import robosim.geometry.check.Checks;
  * @param max        range of clearances, world units; may be infinite. Not used for motions
  * @param margin     world units that motions keep from everything; at least 0. Not used for clearances
  * @param ignored    names of objects that do not count, or of layers of which none does
+ * @param other      the name of the object to which a {@link Question#SIGNED} distance is measured; null for other questions
  */
 public record MeasureRequest(
-        String objectName, Question question, Numbers numbers, double max, double margin, List<String> ignored)
+        String objectName,
+        Question question,
+        Numbers numbers,
+        double max,
+        double margin,
+        List<String> ignored,
+        @Nullable String other)
         implements BatchRequest {
     @Serial
     private static final long serialVersionUID = 1;
@@ -33,7 +41,12 @@ public record MeasureRequest(
         /** The fractions of an edge's translation and turn that are free. */
         EDGES(8, 2),
         /** The fraction of a drive's time that is free. */
-        DRIVES(9, 1);
+        DRIVES(9, 1),
+        /**
+         * The signed distance of two objects where they are, either of which may be static: a lower bound, an upper bound, the
+         * nearest points of the object and of the other, and the direction from that. No numbers are given.
+         */
+        SIGNED(0, 11);
 
         /** How many numbers each question has. */
         public final int given;
@@ -53,12 +66,34 @@ public record MeasureRequest(
         Checks.present("numbers", numbers);
         if (Checks.present("question", question) == Question.DRIVES) {
             checkDrives(numbers);
+        } else if (question == Question.SIGNED) {
+            if (numbers.size() > 0 || margin != 0 || !ignored.isEmpty()) {
+                throw new IllegalArgumentException("numbers, margin and ignored must be left out for SIGNED (got: "
+                        + numbers.size() + " numbers, a margin of " + margin + " and " + ignored + ")");
+            }
         } else {
             FreePosesRequest.check("numbers", numbers, question.given);
         }
         Checks.range(0, max);
         margin = Checks.clearance(margin);
         ignored = names(ignored);
+        if ((other != null) != (question == Question.SIGNED)) {
+            throw new IllegalArgumentException(
+                    "other must be a name for SIGNED, and be left out for other questions (got: " + other + " for "
+                            + question + ")");
+        }
+    }
+
+    /** A question about places or motions. */
+    public MeasureRequest(
+            String objectName, Question question, Numbers numbers, double max, double margin, List<String> ignored) {
+        this(objectName, question, numbers, max, margin, ignored, null);
+    }
+
+    /** The signed distance of two objects where they are. */
+    public static MeasureRequest signed(String objectName, String other) {
+        return new MeasureRequest(
+                objectName, Question.SIGNED, Numbers.NONE, Double.POSITIVE_INFINITY, 0, List.of(), other);
     }
 
     /** A checked copy of a list of names to be ignored, each of which comes once. */
@@ -88,12 +123,12 @@ public record MeasureRequest(
 
     @Override
     public boolean isAboutMover() {
-        return true;
+        return question != Question.SIGNED;
     }
 
     @Override
     public int size() {
-        return numbers.size() / question.given;
+        return question == Question.SIGNED ? 1 : numbers.size() / question.given;
     }
 
     /**

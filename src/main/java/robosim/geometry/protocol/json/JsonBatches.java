@@ -133,7 +133,9 @@ final class JsonBatches {
                             .form("max", JsonForm.RANGE)
                             .optional(Double.POSITIVE_INFINITY, "max")
                             .optional(0.0, "margin")
-                            .omitting(List.of(), "ignored")),
+                            .omitting(Numbers.NONE, "numbers")
+                            .omitting(List.of(), "ignored")
+                            .omitting(null, "other")),
             JsonKinds.kind("picture", PictureRequest.class, PICTURE),
             JsonKinds.kind("world", JsonObject.of(WorldRequest.Describe.class)),
             JsonKinds.kind("pose", LOCATE),

@@ -49,7 +49,9 @@ final class JsonSteps {
             .omitting(BodyRequest.FLOOR_FRICTION, "floorFriction")
             .form("drive", DRIVE)
             .form("velocity", VELOCITY)
-            .omitting(null, "drive velocity");
+            .omitting(null, "drive velocity")
+            .form("ignored", JsonForm.list(JsonForm.TEXT))
+            .omitting(List.of(), "ignored");
 
     private static final JsonObject<DriveCommand> COMMAND =
             JsonObject.of(DriveCommand.class).omitting(0.0, "forward right turn~");

@@ -2,6 +2,7 @@ package robosim.geometry.protocol.motion;
 
 import java.io.Serial;
 import java.io.Serializable;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.Body;
@@ -28,6 +29,7 @@ import robosim.geometry.model.GeometryObject;
  * @param velocity    its velocity; null for what it had, at first none
  * @param drag        quadratic drag, kg/m: at a speed v a force of {@code drag * v * v}
  * @param rolling     rolling resistance, a share of the load; in a planar world it adds to {@code floorFriction}
+ * @param ignored     names of objects, or of layers, that it passes through and they through it; null stands for none
  */
 public record BodyRequest(
         String objectName,
@@ -42,7 +44,8 @@ public record BodyRequest(
         @Nullable DriveSettings drive,
         @Nullable Velocity velocity,
         double drag,
-        double rolling)
+        double rolling,
+        List<String> ignored)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
@@ -68,12 +71,26 @@ public record BodyRequest(
         floorFriction = Amounts.atLeastZero("floorFriction", floorFriction);
         drag = Amounts.atLeastZero("drag", drag);
         rolling = Amounts.atLeastZero("rolling", rolling);
+        ignored = ignored == null ? List.of() : Checks.copy("ignored", ignored, String.class);
     }
 
     /** A smooth body of the default mass and friction on the floor, which nothing drives, dampens or limits. */
     public static BodyRequest of(String objectName) {
         return new BodyRequest(
-                objectName, 0, 0, SurfaceSettings.SMOOTH, 0, 0, NONE, NONE, FLOOR_FRICTION, null, null, 0, 0);
+                objectName,
+                0,
+                0,
+                SurfaceSettings.SMOOTH,
+                0,
+                0,
+                NONE,
+                NONE,
+                FLOOR_FRICTION,
+                null,
+                null,
+                0,
+                0,
+                List.of());
     }
 
     /** A body as it is sent, with a drive or without. */
@@ -91,7 +108,8 @@ public record BodyRequest(
                 drive == null ? null : DriveSettings.of(drive),
                 null,
                 body.drag(),
-                body.rolling());
+                body.rolling(),
+                List.copyOf(body.ignored()));
     }
 
     /**
@@ -106,7 +124,8 @@ public record BodyRequest(
                 .withDamping(damping, turnDamping)
                 .withLimits(maxSpeed, Amounts.degrees(maxTurn))
                 .withFloorFriction(floorFriction)
-                .withDrag(drag, rolling);
+                .withDrag(drag, rolling)
+                .ignoring(ignored);
     }
 
     private Body solid(GeometryObject shape) {
@@ -163,7 +182,27 @@ public record BodyRequest(
                 drive,
                 velocity,
                 quadratic,
-                ofRolling);
+                ofRolling,
+                ignored);
+    }
+
+    /** This body passing through the objects of some names or layers. */
+    public BodyRequest ignoring(List<String> names) {
+        return new BodyRequest(
+                objectName,
+                mass,
+                inertia,
+                surface,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                floorFriction,
+                drive,
+                velocity,
+                drag,
+                rolling,
+                names);
     }
 
     private BodyRequest with(
@@ -187,6 +226,7 @@ public record BodyRequest(
                 driven,
                 moving,
                 drag,
-                rolling);
+                rolling,
+                ignored);
     }
 }

@@ -43,6 +43,7 @@ public final class WorldBodies {
                 drive == null ? null : DriveSettings.of(drive),
                 null,
                 body.drag(),
-                body.rolling());
+                body.rolling(),
+                List.copyOf(body.ignored()));
     }
 }

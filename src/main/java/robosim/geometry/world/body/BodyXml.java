@@ -1,7 +1,10 @@
 package robosim.geometry.world.body;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.BiConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.dynamics.AckermannDrive;
@@ -37,6 +40,7 @@ public final class BodyXml {
 
     /** Reads a {@code <body>} without its drive. */
     public static ObjectBody body(Attributes from, @Nullable Drive drive) {
+        String ignored = from.get("ignored");
         double sliding = number(from, "slidingFriction", number(from, "friction", 0));
         return new ObjectBody(
                 number(from, "mass", 0),
@@ -49,6 +53,9 @@ public final class BodyXml {
                 number(from, "maxTurn", NONE),
                 number(from, "drag", 0),
                 number(from, "rolling", 0),
+                ignored == null
+                        ? Set.of()
+                        : Set.copyOf(Arrays.asList(ignored.strip().split("\\s+", -1))),
                 drive);
     }
 
@@ -182,6 +189,9 @@ public final class BodyXml {
         unless(NONE, "maxTurn", body.maxTurn(), to);
         unless(0, "drag", body.drag(), to);
         unless(0, "rolling", body.rolling(), to);
+        if (!body.ignored().isEmpty()) {
+            to.accept("ignored", String.join(" ", new TreeSet<>(body.ignored())));
+        }
     }
 
     /** Writes a drive, without its command. */

@@ -1,5 +1,6 @@
 package robosim.geometry.world.body;
 
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.AckermannDrive;
@@ -20,6 +21,7 @@ import robosim.geometry.dynamics.Surface;
  * @param maxTurn       degrees a second; infinite for no limit
  * @param drag          quadratic drag, kg/m: at a speed v a force of {@code drag * v * v}
  * @param rolling       rolling resistance, a share of the load; in a planar world it adds to {@code floorFriction}
+ * @param ignored       names of objects or layers that it passes through, and they through it
  * @param drive         what drives it, told to stand; null if nothing does
  */
 public record ObjectBody(
@@ -33,13 +35,25 @@ public record ObjectBody(
         double maxTurn,
         double drag,
         double rolling,
+        Set<String> ignored,
         @Nullable Drive drive) {
     /** The friction on the floor if a file does not say it, about that of a crate of wood. */
     public static final double FLOOR_FRICTION = 0.5;
 
     /** Smooth, of the default mass, inertia and friction on the floor; nothing drives, dampens or limits it. */
     public static final ObjectBody DEFAULT = new ObjectBody(
-            0, 0, Surface.SMOOTH, FLOOR_FRICTION, 0, 0, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, 0, 0, null);
+            0,
+            0,
+            Surface.SMOOTH,
+            FLOOR_FRICTION,
+            0,
+            0,
+            Double.POSITIVE_INFINITY,
+            Double.POSITIVE_INFINITY,
+            0,
+            0,
+            Set.of(),
+            null);
 
     /** Refuses null, and numbers that are out of range. */
     public ObjectBody {
@@ -53,6 +67,14 @@ public record ObjectBody(
         maxTurn = limit("maxTurn", maxTurn);
         drag = Checks.size("drag", drag);
         rolling = Checks.size("rolling", rolling);
+        ignored = Checks.names("ignored", ignored);
+        for (String name : ignored) {
+            if (name.chars().anyMatch(Character::isWhitespace)) {
+                throw new IllegalArgumentException(
+                        "ignored must have names without spaces in a world file; put the object"
+                                + " into a layer (got: \"" + name + "\")");
+            }
+        }
         if (drive instanceof AckermannDrive car && car.centreAhead() != 0) {
             throw new IllegalArgumentException(
                     "drive must have its centre on its rear axle in a world file (got: " + car + ")");
@@ -74,7 +96,18 @@ public record ObjectBody(
     /** This body with another surface. */
     public ObjectBody withSurface(Surface other) {
         return new ObjectBody(
-                mass, inertia, other, floorFriction, damping, turnDamping, maxSpeed, maxTurn, drag, rolling, drive);
+                mass,
+                inertia,
+                other,
+                floorFriction,
+                damping,
+                turnDamping,
+                maxSpeed,
+                maxTurn,
+                drag,
+                rolling,
+                ignored,
+                drive);
     }
 
     /** Whether it has nothing but a surface. */

@@ -25,7 +25,7 @@ class FreeGroupTest {
     private static void brake(double excess, RigidBody... balls) {
         List<RigidBody> bodies = List.of(balls);
         double[] gravity = {0, -9.81, 0};
-        Clusters cluster = new Clusters(bodies, gravity);
+        Clusters cluster = new Clusters(bodies, gravity, (one, other) -> false);
         cluster.member = new int[] {0, 1};
         cluster.count = balls.length;
         double moving = 0;

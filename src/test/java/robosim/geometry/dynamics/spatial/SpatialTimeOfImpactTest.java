@@ -108,7 +108,7 @@ class SpatialTimeOfImpactTest {
             putBeside(random, a, b);
             System.arraycopy(a.v, 0, a.u, 0, 6);
             System.arraycopy(b.v, 0, b.u, 0, 6);
-            Clusters cluster = new Clusters(List.of(a, b), new double[3]);
+            Clusters cluster = new Clusters(List.of(a, b), new double[3], (one, other) -> false);
             cluster.member = new int[] {0, 1};
             cluster.count = 2;
             double share = new SpatialTimeOfImpact(List.of(a, b), near).first(cluster, SLICE);

@@ -35,6 +35,7 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
 import robosim.geometry.protocol.StepSamples;
+import robosim.geometry.protocol.batch.MeasureRequest;
 import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.pace.MessagePace;
 
@@ -91,6 +92,8 @@ class JsonSchemaTest {
             "slidingFriction must be at most",
             "must be left out for a drive",
             "maxTurn of a car",
+            "must be left out for SIGNED",
+            "other must be a name for SIGNED",
             "keeps no sessions");
 
     private static final List<String> REQUESTS = List.of(
@@ -185,6 +188,7 @@ class JsonSchemaTest {
         lines.add("{\"id\":-7,\"type\":\"moves\",\"moves\":[]}");
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         lines.add(JsonLines.write(StepSamples.pushing()));
+        lines.add(JsonLines.write(new BatchRequestBundle(List.of(MeasureRequest.signed("a", "b")))));
         return lines;
     }
 
