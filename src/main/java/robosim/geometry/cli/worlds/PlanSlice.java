@@ -2,8 +2,6 @@ package robosim.geometry.cli.worlds;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.meshes.TriangleMesh;
@@ -16,6 +14,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.viewer.scene.Footprint;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -205,36 +204,17 @@ final class PlanSlice {
         if (points.isEmpty()) {
             return null;
         }
-        points.sort(Comparator.<double[]>comparingDouble(p -> p[0]).thenComparingDouble(p -> p[1]));
-        List<double[]> hull = new ArrayList<>(chain(points));
-        Collections.reverse(points);
-        hull.addAll(chain(points));
+        double[] hull =
+                Footprint.hull(points.stream().flatMapToDouble(Arrays::stream).toArray());
         List<Point> corners = new ArrayList<>();
-        for (double[] each : hull) {
-            corners.add(new Point(each[0], height, each[1]));
+        for (int k = 0; k < hull.length; k += 2) {
+            corners.add(new Point(hull[k], height, hull[k + 1]));
         }
         int[][] faces = new int[Math.max(1, corners.size() - 2)][];
         for (int k = 0; k < faces.length; k++) {
             faces[k] = new int[] {0, Math.min(k + 1, corners.size() - 1), Math.min(k + 2, corners.size() - 1)};
         }
         return new MeshObject(corners, faces);
-    }
-
-    /** One side of the hull of sorted points, without its last corner (Andrew's monotone chain). */
-    private static List<double[]> chain(List<double[]> points) {
-        List<double[]> chain = new ArrayList<>();
-        for (double[] p : points) {
-            int n = chain.size();
-            while (n >= 2 && turn(chain.get(n - 2), chain.get(n - 1), p) <= 0) {
-                chain.remove(--n);
-            }
-            chain.add(p);
-        }
-        return chain.size() == 1 ? chain : chain.subList(0, chain.size() - 1);
-    }
-
-    private static double turn(double[] a, double[] b, double[] p) {
-        return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
     }
 
     /** The lines in which the plane meets the faces of a mesh, each as an upright face of hardly any height. */

@@ -293,7 +293,7 @@ public final class TriangleMesh {
      * For each vertex the first one at the same point. Found by sorting, so that no choice of coordinates makes it
      * slow.
      */
-    private int[] joinEqual() {
+    public int[] joinEqual() {
         Integer[] sorted = new Integer[vertices()];
         Arrays.setAll(sorted, v -> v);
         Arrays.sort(sorted, (v, w) -> {

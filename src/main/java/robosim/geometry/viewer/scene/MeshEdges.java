@@ -26,7 +26,7 @@ final class MeshEdges {
 
     MeshEdges(TriangleMesh mesh) {
         this.mesh = mesh;
-        int[] welded = welded(mesh);
+        int[] welded = mesh.joinEqual(); // a format without shared vertices repeats them
         int sides = 3 * mesh.size();
         long[] byEnds = new long[sides];
         ends = new long[sides];
@@ -150,29 +150,5 @@ final class MeshEdges {
 
     private static double dot(double[] a, double[] b) {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    }
-
-    /** By vertex, the first one at the same place; a format without shared vertices repeats them. */
-    private static int[] welded(TriangleMesh mesh) {
-        int count = mesh.vertices();
-        Integer[] order = new Integer[count];
-        Arrays.setAll(order, k -> k);
-        Arrays.sort(order, (a, b) -> compare(mesh, a, b)); // stable
-        int[] welded = new int[count];
-        for (int k = 0; k < count; k++) {
-            boolean isSame = k > 0 && compare(mesh, order[k - 1], order[k]) == 0;
-            welded[order[k]] = isSame ? welded[order[k - 1]] : order[k];
-        }
-        return welded;
-    }
-
-    private static int compare(TriangleMesh mesh, int a, int b) {
-        for (int axis = 0; axis < 3; axis++) {
-            int order = Double.compare(mesh.coordinate(a, axis), mesh.coordinate(b, axis));
-            if (order != 0) {
-                return order;
-            }
-        }
-        return 0;
     }
 }
