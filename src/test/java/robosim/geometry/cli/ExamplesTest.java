@@ -49,7 +49,8 @@ class ExamplesTest {
             seen++;
             // Of the dynamics the records in which the answer of a step comes, and nothing that computes one.
             assertThat(uses.group())
-                    .matches("robosim\\.geometry\\.(?:(?:model|protocol)\\.\\w+|dynamics\\.(?:BodyContact|StepResult))");
+                    .matches(
+                            "robosim\\.geometry\\.(?:(?:model|protocol)\\.\\w+|dynamics\\.(?:BodyContact|StepResult))");
         }
         assertThat(seen).isGreaterThan(10);
     }

@@ -1,7 +1,5 @@
 package robosim.geometry.sweep;
 
-import robosim.geometry.protocol.StepBundle;
-import robosim.geometry.dynamics.Body;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -19,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.Body;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -28,6 +27,7 @@ import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
