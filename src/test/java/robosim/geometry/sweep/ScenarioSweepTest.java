@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
+import robosim.geometry.dynamics.Body;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -26,6 +27,7 @@ import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.StepBundle;
 import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
@@ -67,6 +69,31 @@ class ScenarioSweepTest {
         ParameterSweep zeros =
                 sweep.vary("place", "0").vary("aim", "0").vary("slip", "0").vary("range", "0");
         assertThat(values(zeros, 0)).isEqualTo(values(sweep, 0));
+    }
+
+    /** A push acts in a sweep as in its recording. */
+    @Test
+    void pushesAreCarriedOut() throws IOException {
+        Session session = new Session();
+        InitBundle world = new InitBundle(
+                List.of(new BoxObject(new Point(), 1, 1, 1).moveable("crate")),
+                new WorldSettings(40, 4, 40, Dimension.PLANAR, Accuracy.EXACT));
+        session.reply(world);
+        List<Step> steps = new ArrayList<>(List.of(new Step(world, null)));
+        Body smooth = Body.of(2, 1).withFloorFriction(0);
+        for (StepBundle step : List.of(
+                StepBundle.of(0).withBody("crate", smooth, null),
+                StepBundle.of(1).withPush("crate", new Point(6, 0, 0), null, null))) {
+            steps.add(new Step(step, session.reply(step)));
+        }
+        Path file = folder.resolve("pushed.scenario.jsonl");
+        try (OutputStream out = Files.newOutputStream(file)) {
+            new Scenario(new ScenarioHeader("a push", SessionOptions.ROBOSIM), steps).write(out);
+        }
+        ScenarioSweep scenario = ScenarioSweep.read(file);
+        ParameterSweep sweep = ParameterSweep.of(scenario).over(scenario.world());
+        assertThat(value(sweep, 0, "other than recorded")).isZero();
+        assertThat(value(sweep, 0, "way [world units]")).isCloseTo(3, within(1e-12));
     }
 
     @ParameterizedTest
