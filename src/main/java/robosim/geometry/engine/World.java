@@ -12,6 +12,7 @@ import robosim.geometry.engine.motion.Motion;
 import robosim.geometry.engine.motion.PlaceBatches;
 import robosim.geometry.engine.motion.Placer;
 import robosim.geometry.engine.motion.Slide;
+import robosim.geometry.engine.objects.IgnoredPairs;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.sensing.BeamQuery;
 import robosim.geometry.engine.sensing.NearestQuery;
@@ -163,6 +164,11 @@ public final class World {
     /** Moves an object out of what it overlaps; see {@link FreeingSearch#find}. */
     public boolean separate(int id, double max, double[] out) {
         return new FreeingSearch(registry, motion, slide()).find(view, id, max, out);
+    }
+
+    /** Pairs of objects that pass through each other in steps; none so far. */
+    public IgnoredPairs ignoredPairs() {
+        return new IgnoredPairs(objects, registry.attachments);
     }
 
     /** Puts objects at places of any attitude. */

@@ -44,7 +44,7 @@ final class PlanarScene {
 
     PlanarScene(World world) {
         this.world = world;
-        passing = new IgnoredPairs(world.objects, world.registry.attachments);
+        passing = world.ignoredPairs();
         halfX = world.width / 2;
         halfZ = world.length / 2;
     }
