@@ -13,6 +13,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.world.Unit;
@@ -60,7 +61,12 @@ public final class GlbWriter {
             nodes.add(scene.object(seen, Material.of(Color.ofPacked(usual)), called));
         }
         Unit unit = world.unit();
-        int root = scene.root(title, unit == null ? 1 : unit.metres(), nodes);
+        double metres = unit == null ? 1 : unit.metres();
+        Lighting lighting = world.lighting();
+        if (lighting != null) {
+            lighting.lights().forEach(light -> nodes.add(scene.light(light, metres)));
+        }
+        int root = scene.root(title, metres, nodes);
         byte[] json = scene.json(root).getBytes(StandardCharsets.UTF_8);
         byte[] numbers = scene.numbers.toBytes();
         AtomicFileWriter.write(file, out -> write(json, numbers, out));

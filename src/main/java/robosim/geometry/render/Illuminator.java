@@ -50,9 +50,11 @@ final class Illuminator {
                 count++;
             }
         }
-        freeRays(count);
+        if (beam.hasShadows) {
+            freeRays(count);
+        }
         for (int j = 0; j < count; j++) {
-            if (isFree(j)) {
+            if (!beam.hasShadows || isFree(j)) {
                 int at = 3 * asker[j];
                 hits.direct[at] += carried[3 * j];
                 hits.direct[at + 1] += carried[3 * j + 1];

@@ -84,7 +84,7 @@ final class WorldMaterials {
     }
 
     /** {@code #rrggbb}, or three numbers. */
-    private static Color color(Element element, String attribute, @Nullable Color otherwise) {
+    static Color color(Element element, String attribute, @Nullable Color otherwise) {
         String value = element.attribute(attribute);
         if (value == null) {
             if (otherwise == null) {
@@ -274,7 +274,7 @@ final class WorldMaterials {
         }
     }
 
-    private static String text(Color color) {
+    static String text(Color color) {
         return color.isPacked()
                 ? color.toString()
                 : Decimal.of(color.red()) + " " + Decimal.of(color.green()) + " " + Decimal.of(color.blue());

@@ -140,6 +140,7 @@ public final class WorldWriter {
         out.append(">\n");
         materials = WorldMaterials.named(world);
         WorldMaterials.write(materials, this);
+        WorldLights.write(world.lighting(), this);
         long cells = 0;
         for (WorldObject object : world.objects()) {
             if (object.object() instanceof GridObject grid) {

@@ -225,7 +225,8 @@ public final class CameraOptions {
     }
 
     private ColorCamera lit(ColorCamera camera, CameraWorld studio) {
-        return camera.withSmoothEdges(samples)
+        return camera.withLighting(studio.light())
+                .withSmoothEdges(samples)
                 .withMirrors(mirrors)
                 .withSmoothSky(skyRays, studio.skyReach())
                 .withThreads(Runtime.getRuntime().availableProcessors());

@@ -22,6 +22,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.shared.Floor;
@@ -197,6 +198,11 @@ final class CameraWorld {
         double z = content.maxZ() - content.minZ();
         double most = Math.max(x, z) / 8;
         return most > 0 ? most : 1;
+    }
+
+    /** The light of the world. */
+    Lighting light() {
+        return world.light();
     }
 
     /** The object of a name; null if there is none. */

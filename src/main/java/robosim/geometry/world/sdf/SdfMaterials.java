@@ -102,9 +102,14 @@ final class SdfMaterials {
     }
 
     /** Red, green and blue, and opacity, which is ignored; what is brighter than white is white. */
-    private static Color color(SdfElement element) throws FileProblem {
-        double[] shares = element.numbers(Numbers.words(element.value()).length == 3 ? 3 : 4);
+    static Color color(SdfElement element) throws FileProblem {
+        double[] shares = shares(element);
         return new Color(share(shares[0]), share(shares[1]), share(shares[2]));
+    }
+
+    /** Red, green and blue, and perhaps a fourth number. */
+    static double[] shares(SdfElement element) throws FileProblem {
+        return element.numbers(Numbers.words(element.value()).length == 3 ? 3 : 4);
     }
 
     private static double share(double number) {

@@ -13,6 +13,7 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LimitProblem;
@@ -27,6 +28,7 @@ public final class SdfObjects {
     private final SdfTree tree;
     private final SdfShapes shapes;
     private final SdfVisuals visuals;
+    private final SdfLights lights = new SdfLights();
     private final List<GeometryObject> objects = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
     private final Map<String, Integer> namesakes = new HashMap<>();
@@ -74,6 +76,11 @@ public final class SdfObjects {
         return sensors;
     }
 
+    /** The light of the world; null if the file says nothing of it. */
+    public @Nullable Lighting lighting() {
+        return lights.lighting();
+    }
+
     public Map<String, Integer> counts() {
         return counts;
     }
@@ -81,11 +88,19 @@ public final class SdfObjects {
     public List<String> remarks() {
         List<String> all = new ArrayList<>(remarks);
         visuals.remark(all);
+        lights.remark(all);
         return all;
     }
 
     /** Adds everything in a world. */
     public void add(SdfScope world) throws FileProblem {
+        SdfElement scene = world.scene;
+        if (scene != null) {
+            lights.scene(scene);
+        }
+        for (SdfNode light : world.lights) {
+            lights.add(light.element, () -> world.placement(light));
+        }
         for (SdfNode model : world.models) {
             Placement place = world.placement(model);
             if (model.isStatic || model.inner == null) {
@@ -194,6 +209,9 @@ public final class SdfObjects {
                     }
                 });
             }
+            for (SdfElement light : children(link, "light")) {
+                lights.add(light, () -> inWorld.then(local(scope, link, light)));
+            }
             for (SdfElement sensor : sensors(link)) {
                 leaveOutMistakes(sensor, () -> {
                     Placement local = local(scope, link, sensor);
@@ -239,6 +257,9 @@ public final class SdfObjects {
                 if (look != null) {
                     seen.add(look);
                 }
+            }
+            for (SdfElement light : children(link, "light")) {
+                lights.add(light, () -> inWorld.then(local(scope, link, light)));
             }
             for (SdfElement sensor : sensors(link)) {
                 leaveOutMistakes(sensor, () -> {
