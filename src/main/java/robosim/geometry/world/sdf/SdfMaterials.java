@@ -1,15 +1,27 @@
 package robosim.geometry.world.sdf;
 
+import java.nio.file.Path;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
+import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Numbers;
 
-/** The materials of SDFormat's visuals, for the collisions beside them: diffuse, specular and emissive colour, shininess. */
+/**
+ * The materials of SDFormat's visuals, and of the collisions beside them: diffuse, specular and emissive colour, shininess; of
+ * physically based ones the roughness, the metalness and, where they are seen, the picture of the colours.
+ */
 final class SdfMaterials {
     private static final String GAZEBO = "Gazebo/";
+
+    private static final String GLOW = "Glow";
+
+    /** That of a metal which does not say. */
+    private static final double ROUGHNESS = 0.5;
 
     /** The diffuse colours of scripts of Gazebo, by their names; of those with a picture, a colour like it. */
     private static final Map<String, String> COLORS = Map.ofEntries(
@@ -66,23 +78,60 @@ final class SdfMaterials {
     }
 
     /** What a visual is made of; null if it does not say so. */
-    static @Nullable Material ofVisual(SdfElement visual) throws FileProblem {
+    static @Nullable Material ofVisual(SdfElement visual, SdfFiles files) throws FileProblem {
         SdfElement material = visual.child("material");
-        return material == null || material.children.isEmpty() ? null : read(material);
+        if (material == null || material.children.isEmpty()) {
+            return null;
+        }
+        Material made = read(material);
+        SdfElement map = picture(visual);
+        return map == null ? made : made.withTexture(texture(map, files));
     }
 
-    /** A colour by the name of one of Gazebo's scripts; null for others. */
-    private static @Nullable Color ofScript(SdfElement script) {
+    /** The picture of the colours of a visual; null if it has none. */
+    static @Nullable SdfElement picture(SdfElement visual) {
+        SdfElement metal = metal(visual.child("material"));
+        SdfElement map = metal == null ? null : metal.child("albedo_map");
+        return map == null || map.value().isEmpty() ? null : map;
+    }
+
+    private static @Nullable SdfElement metal(@Nullable SdfElement material) {
+        SdfElement physical = material == null ? null : material.child("pbr");
+        return physical == null ? null : physical.child("metal");
+    }
+
+    /** A picture that cannot be read is left out, and the plain colour is seen there. */
+    private static @Nullable Texture texture(SdfElement map, SdfFiles files) throws FileProblem {
+        try {
+            Path file = files.find(map);
+            if (file == null) {
+                throw files.missing(map);
+            }
+            return files.textures().read(file.toAbsolutePath().resolveSibling(""), String.valueOf(file.getFileName()));
+        } catch (LimitProblem e) {
+            throw e;
+        } catch (FileProblem | IllegalArgumentException e) {
+            files.textures().leaveOut(map.file.path(), map.line, map.tag(), String.valueOf(e.getMessage()), e);
+            return null;
+        }
+    }
+
+    /** A material by the name of one of Gazebo's scripts, which may glow; the default for others. */
+    private static Material ofScript(SdfElement script) {
         String name = script.valueOf("name");
-        String color = name.startsWith(GAZEBO) ? COLORS.get(name.substring(GAZEBO.length())) : null;
-        return color == null ? null : Color.parse(color);
+        String plain = name.startsWith(GAZEBO) ? name.substring(GAZEBO.length()) : "";
+        boolean isGlowing = plain.endsWith(GLOW);
+        String color = COLORS.get(plain.replaceFirst("(" + GLOW + "|Transparent)$", ""));
+        if (color == null) {
+            return Material.DEFAULT;
+        }
+        Material made = Material.DEFAULT.withColor(Color.parse(color));
+        return isGlowing ? made.withEmission(Color.parse(color)) : made;
     }
 
     private static Material read(SdfElement element) throws FileProblem {
-        Material material = Material.DEFAULT;
         SdfElement script = element.child("script");
-        Color named = script == null ? null : ofScript(script);
-        material = named == null ? material : material.withColor(named);
+        Material material = script == null ? Material.DEFAULT : ofScript(script);
         SdfElement diffuse = element.child("diffuse");
         if (diffuse != null) {
             material = material.withColor(color(diffuse));
@@ -96,6 +145,12 @@ final class SdfMaterials {
         if (shininess != null) {
             double exponent = shininess.numbers(1)[0];
             material = material.withShininess(Math.min(Math.max(1, exponent), Material.MOST_SHININESS));
+        }
+        SdfElement metal = metal(element);
+        if (metal != null) {
+            double rough = metal.child("roughness") == null ? ROUGHNESS : metal.number("roughness");
+            double metallic = metal.child("metalness") == null ? 0 : metal.number("metalness");
+            material = MeshFiles.rough(material, share(rough), share(metallic));
         }
         SdfElement emissive = element.child("emissive");
         return emissive == null ? material : material.withEmission(color(emissive));

@@ -52,7 +52,9 @@ public final class SdfNames {
             clip: near far
             noise: type mean stddev bias_mean bias_stddev precision dynamic_bias_stddev dynamic_bias_correlation_time
             visual: pose geometry material
-            material: diffuse emissive shininess specular script
+            material: diffuse emissive shininess specular script pbr
+            pbr: metal
+            metal: albedo_map metalness roughness
             script: name
             collision: pose geometry
             joint: pose child
@@ -73,7 +75,7 @@ public final class SdfNames {
             sdf: light plugin
             state insertions deletions model_state link_state:
             sensor lidar ray scan horizontal vertical range camera clip lens intrinsics projection distortion noise:
-            visual material script joint empty heightmap image light attenuation spot scene sky:
+            visual material pbr metal script joint empty heightmap image light attenuation spot scene sky:
             model: allow_auto_disable enable_wind gripper plugin self_collide
             include: namespace plugin
             link: audio_sink audio_source battery enable_wind frame gravity inertial kinematic light must_be_base_link
@@ -118,7 +120,7 @@ public final class SdfNames {
                     "sensor",
                     "light" -> true;
             case "state", MODEL_STATE, LINK_STATE, DELETED -> true;
-            case "material", "script", "diffuse", "emissive", "shininess", "specular" ->
+            case "material", "script", "diffuse", "emissive", "shininess", "specular", "pbr", "metal" ->
                 true; // harmless: the first one counts
             default -> false;
         };

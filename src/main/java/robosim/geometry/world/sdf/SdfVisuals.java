@@ -2,8 +2,12 @@ package robosim.geometry.world.sdf;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Placement;
@@ -36,7 +40,10 @@ final class SdfVisuals {
             if (shape == null || SdfShapes.isFloor(visual, place)) {
                 return null;
             }
-            Material material = SdfMaterials.ofVisual(visual);
+            Material material = SdfMaterials.ofVisual(visual, shapes.files());
+            if (material != null && material.texture() instanceof ImageTexture image) {
+                material = material.withTexture(covering(shape, image));
+            }
             GeometryObject made = material == null || material.isDefault() ? shape : shape.withMaterial(material);
             return made.at(place.pose());
         } catch (LimitProblem e) {
@@ -45,6 +52,22 @@ final class SdfVisuals {
             first = failed++ == 0 ? String.valueOf(e.getMessage()) : first;
             return null;
         }
+    }
+
+    /** A picture that covers a shape once: the largest sides of a box, or all around. */
+    private static ImageTexture covering(GeometryObject shape, ImageTexture image) {
+        if (shape instanceof BoxObject box) {
+            double least = Math.min(box.width(), Math.min(box.height(), box.length()));
+            double wide = box.width() == least ? box.length() : box.width();
+            double high = box.height() == least ? box.length() : box.height();
+            return wide > 0 && high > 0 ? image.tiled(wide, high) : image;
+        }
+        if (shape instanceof SphereObject sphere && sphere.radius() > 0) {
+            return image.tiled(2 * Math.PI * sphere.radius(), Math.PI * sphere.radius());
+        }
+        return shape instanceof CylinderObject cylinder && cylinder.radius() > 0 && cylinder.height() > 0
+                ? image.tiled(2 * Math.PI * cylinder.radius(), cylinder.height())
+                : image;
     }
 
     /** Adds that some are missing. */
