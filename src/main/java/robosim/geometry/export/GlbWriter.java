@@ -61,6 +61,10 @@ public final class GlbWriter {
             nodes.add(scene.object(seen, Material.of(Color.ofPacked(usual)), called));
         }
         Unit unit = world.unit();
+        for (GeometryObject each : world.scenery()) {
+            Material usual = Material.of(Color.ofPacked(Palette.of(each.kind()).in(Theme.LIGHT)));
+            nodes.add(scene.object(each, usual, "scenery " + (nodes.size() + 1)));
+        }
         double metres = unit == null ? 1 : unit.metres();
         Lighting lighting = world.lighting();
         if (lighting != null) {

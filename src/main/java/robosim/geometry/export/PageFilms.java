@@ -1,6 +1,7 @@
 package robosim.geometry.export;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -18,6 +19,7 @@ import robosim.geometry.viewer.playback.StateHistory;
 import robosim.geometry.viewer.playback.WorldSonars;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 
 /** Histories of what a page can show. */
 public final class PageFilms {
@@ -62,7 +64,10 @@ public final class PageFilms {
         String words = NumberText.count(world.objects().size(), "object") + ", "
                 + world.dimension().name().toLowerCase(Locale.ROOT);
         StateHistory film = new StateHistory();
-        film.append(new Frame(Frame.Setting.of(world), Map.of(), List.of(), heard, words, List.of(), null));
+        List<WorldObject> shown = new ArrayList<>(world.objects());
+        world.scenery().forEach(each -> shown.add(new WorldObject(each)));
+        film.append(new Frame(
+                Frame.Setting.of(world.withObjects(shown)), Map.of(), List.of(), heard, words, List.of(), null));
         return film;
     }
 }

@@ -36,6 +36,9 @@ final class Element {
 
     final List<Light> lights = new ArrayList<>();
 
+    /** What a world shows beside its objects. */
+    List<GeometryObject> scenery = List.of();
+
     /** The light of a world; null for that of a clear day. */
     @Nullable
     Lighting lighting;

@@ -73,7 +73,8 @@ final class SdfReader {
                     Dimension.SPATIAL,
                     Accuracy.EXACT,
                     objects,
-                    found.lighting());
+                    found.lighting(),
+                    found.scenery());
             Map<String, Integer> read = new TreeMap<>(found.counts());
             remarks.addAll(files.remarks());
             remarks.addAll(tree.remarks());

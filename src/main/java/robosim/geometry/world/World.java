@@ -28,6 +28,7 @@ import robosim.geometry.world.shared.Floor;
  * @param accuracy  what stands for an object in a query
  * @param objects   with names that are unique among them
  * @param lighting  in which pictures show it; null for that of a clear day
+ * @param scenery   what pictures show beside the objects and nothing collides with: static, without names
  */
 public record World(
         double width,
@@ -37,7 +38,8 @@ public record World(
         Dimension dimension,
         Accuracy accuracy,
         List<WorldObject> objects,
-        @Nullable Lighting lighting) {
+        @Nullable Lighting lighting,
+        List<GeometryObject> scenery) {
 
     /** Refuses invalid sizes, and two objects of one name. */
     public World {
@@ -55,6 +57,13 @@ public record World(
             }
         }
         checkAttached(objects);
+        scenery = Checks.list("scenery", scenery);
+        for (GeometryObject each : scenery) {
+            if (each.name() != null || each.isMoveable() || each.visuals() != null) {
+                throw new IllegalArgumentException(
+                        "scenery must be static, without names and without visuals (got: " + each + ")");
+            }
+        }
     }
 
     private static void checkAttached(List<WorldObject> objects) {
@@ -95,7 +104,7 @@ public record World(
             Dimension dimension,
             Accuracy accuracy,
             List<WorldObject> objects) {
-        this(width, height, length, unit, dimension, accuracy, objects, null);
+        this(width, height, length, unit, dimension, accuracy, objects, null, List.of());
     }
 
     private static double size(String argument, double value) {
@@ -107,12 +116,17 @@ public record World(
 
     /** A world of the same size and settings with other objects. */
     public World withObjects(List<WorldObject> others) {
-        return new World(width, height, length, unit, dimension, accuracy, others, lighting);
+        return new World(width, height, length, unit, dimension, accuracy, others, lighting, scenery);
     }
 
     /** The same world in other light; null for that of a clear day. */
     public World withLighting(@Nullable Lighting newLighting) {
-        return new World(width, height, length, unit, dimension, accuracy, objects, newLighting);
+        return new World(width, height, length, unit, dimension, accuracy, objects, newLighting, scenery);
+    }
+
+    /** The same world with other scenery. */
+    public World withScenery(List<GeometryObject> newScenery) {
+        return new World(width, height, length, unit, dimension, accuracy, objects, lighting, newScenery);
     }
 
     /** The light in which pictures show the world: its own, or that of a clear day. */
@@ -128,12 +142,12 @@ public record World(
         List<WorldObject> standing = objects.stream()
                 .filter(each -> !Floor.isFloor(each.object(), width, length))
                 .toList();
-        return new World(width, height, length, unit, Dimension.PLANAR, accuracy, standing, lighting);
+        return new World(width, height, length, unit, Dimension.PLANAR, accuracy, standing, lighting, scenery);
     }
 
     /** The same world where heights count. */
     public World spatial() {
-        return new World(width, height, length, unit, Dimension.SPATIAL, accuracy, objects, lighting);
+        return new World(width, height, length, unit, Dimension.SPATIAL, accuracy, objects, lighting, scenery);
     }
 
     /**

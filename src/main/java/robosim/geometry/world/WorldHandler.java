@@ -251,6 +251,7 @@ final class WorldHandler extends XmlHandler {
             case "sonar" -> parent.sonars.add(builder.sonar(element));
             case "sky" -> parent.sky = WorldLights.sky(element);
             case "sun", "lamp", "spot" -> parent.lights.add(WorldLights.light(element, builder));
+            case "scenery" -> parent.scenery = element.members;
             case "lighting" -> parent.lighting = WorldLights.of(element);
             case "body", "drive" -> parent.motion = element;
             case "material" -> builder.materials.define(element);
@@ -271,7 +272,8 @@ final class WorldHandler extends XmlHandler {
                 Dimension.valueOf(root.attribute("dimension", "SPATIAL")),
                 Accuracy.valueOf(root.attribute("accuracy", "EXACT")),
                 all,
-                root.lighting);
+                root.lighting,
+                root.scenery);
     }
 
     /** Adds the objects of another file. */

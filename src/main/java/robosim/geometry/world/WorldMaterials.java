@@ -198,6 +198,9 @@ final class WorldMaterials {
     /** The names of the materials of a world's objects that a colour alone does not tell, in the order of their use. */
     static Map<Material, String> named(World world) {
         Map<Material, String> names = new LinkedHashMap<>();
+        for (GeometryObject each : world.scenery()) {
+            name(each, colorOf(each), names);
+        }
         for (WorldObject each : world.objects()) {
             name(each.object(), each.color(), names);
         }

@@ -141,6 +141,9 @@ public final class WorldWriter {
         materials = WorldMaterials.named(world);
         WorldMaterials.write(materials, this);
         WorldLights.write(world.lighting(), this);
+        if (!world.scenery().isEmpty()) {
+            shapes("scenery", world.scenery(), 1);
+        }
         long cells = 0;
         for (WorldObject object : world.objects()) {
             if (object.object() instanceof GridObject grid) {
@@ -155,6 +158,15 @@ public final class WorldWriter {
             object(object.object(), object.color(), object.sonars(), object.body(), object.attached(), 1);
         }
         out.append("</world>\n");
+    }
+
+    private void shapes(String tag, List<GeometryObject> shapes, int depth) {
+        open(tag, depth);
+        line(">");
+        for (GeometryObject shape : shapes) {
+            object(shape, WorldMaterials.colorOf(shape), List.of(), null, null, depth + 1);
+        }
+        close(tag, depth);
     }
 
     private void object(
@@ -185,11 +197,7 @@ public final class WorldWriter {
         content(object, depth + 1);
         List<GeometryObject> visuals = object.visuals();
         if (visuals != null) {
-            indent(depth + 1).append("<visual>\n");
-            for (GeometryObject visual : visuals) {
-                object(visual, WorldMaterials.colorOf(visual), List.of(), null, null, depth + 2);
-            }
-            close("visual", depth + 1);
+            shapes("visual", visuals, depth + 1);
         }
         for (SonarRing sonar : sonars) {
             sonar(sonar, depth + 1);

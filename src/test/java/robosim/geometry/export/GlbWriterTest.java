@@ -145,6 +145,12 @@ class GlbWriterTest {
         validated(file);
     }
 
+    @Test
+    void sceneryIsShown() throws IOException {
+        World world = world(null).withScenery(List.of(new BoxObject(new Point(1, 2, 3), 1, 1, 1)));
+        assertThat(json(Files.readAllBytes(written(world)))).contains("\"scenery 1\",\"translation\":[1.0, 2.0, 3.0]");
+    }
+
     /** A thousand boxes are one shape. */
     @Test
     void whatIsAlikeIsToldOnce() throws IOException {

@@ -526,7 +526,7 @@ class SdfReaderTest {
                         folder + ": a folder must be a model's, with model.config; else name a file in it (got: none)");
     }
 
-    /** A robot of visuals alone is missing, which no other message says. */
+    /** A robot of visuals alone does not move, which no other message reports. */
     @Test
     void aMovingModelThatIsOnlySeenIsTold() throws IOException {
         String seen = "<link name='l'><visual name='v'>" + BALL + "</visual></link>";
@@ -538,6 +538,8 @@ class SdfReaderTest {
         assertThat(read.remarks())
                 .singleElement()
                 .asString()
-                .endsWith(": <model> \"ghost\" has visuals and no collisions, so it is not in the world");
+                .endsWith(": <model> \"ghost\" has visuals and no collisions, so it is scenery, which does not move");
+        assertThat(read.world().objects()).hasSize(1);
+        assertThat(read.world().scenery()).hasSize(2);
     }
 }

@@ -93,6 +93,7 @@ final class CameraWorld {
                 numbers.put(seen, numbers.size() + 1);
             }
         }
+        world.scenery().forEach(geometry::addObjectUnchecked);
         if (!isLaid) {
             geometry.addObjectUnchecked(laid(ground, most));
         }

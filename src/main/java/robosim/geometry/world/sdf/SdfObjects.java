@@ -28,6 +28,7 @@ public final class SdfObjects {
     private final SdfTree tree;
     private final SdfShapes shapes;
     private final SdfVisuals visuals;
+    private final List<GeometryObject> scenery = new ArrayList<>();
     private final SdfLights lights = new SdfLights();
     private final List<GeometryObject> objects = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
@@ -76,6 +77,11 @@ public final class SdfObjects {
         return sensors;
     }
 
+    /** What is only seen: the visuals of models without collisions. */
+    public List<GeometryObject> scenery() {
+        return scenery;
+    }
+
     /** The light of the world; null if the file says nothing of it. */
     public @Nullable Lighting lighting() {
         return lights.lighting();
@@ -118,7 +124,10 @@ public final class SdfObjects {
         if (body.members.isEmpty() || first == null) {
             if (isOnlySeen(inner)) {
                 remarks.add(model.element.file.shown() + ":" + model.element.line + ": " + model.element.tag()
-                        + " has visuals and no collisions, so it is not in the world");
+                        + " has visuals and no collisions, so it is scenery, which does not move");
+            }
+            for (GeometryObject seen : body.visuals) {
+                scenery.add(seen.at(place.then(Placement.of(seen.pose())).pose()));
             }
             for (Carried each : body.sensors) {
                 sensors.add(SensorElement.of(each.path, each.element, null, each.inWorld.pose()));
@@ -289,9 +298,11 @@ public final class SdfObjects {
         }
     }
 
-    /** Lets the first object of a static model be seen as all visuals of the model, and the others not at all. */
-    private static void show(
-            Map<SdfElement, GeometryObject> found, Set<SdfElement> grounds, List<GeometryObject> seen) {
+    /**
+     * Lets the first object of a static model be seen as all visuals of the model, and the others not at all; where there is
+     * nothing but ground, the visuals are scenery.
+     */
+    private void show(Map<SdfElement, GeometryObject> found, Set<SdfElement> grounds, List<GeometryObject> seen) {
         List<GeometryObject> left = seen;
         for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
             if (!grounds.contains(each.getKey())) {
@@ -299,6 +310,7 @@ public final class SdfObjects {
                 left = List.of();
             }
         }
+        scenery.addAll(left);
     }
 
     private void addFloor(GeometryObject floor, String path, SdfElement collision) throws FileProblem {
