@@ -86,6 +86,11 @@ final class Illuminator {
         freeRays(count);
     }
 
+    /** Writes a ray that was taken: its start, its direction and its range. */
+    void ray(int ray, double[] out, int at) {
+        System.arraycopy(rays, RAY * ray, out, at, RAY);
+    }
+
     /** The point of a ray. */
     int asker(int ray) {
         return asker[ray];
