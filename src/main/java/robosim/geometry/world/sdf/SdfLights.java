@@ -94,7 +94,7 @@ final class SdfLights {
 
     private static Color tint(double[] shares) {
         double most = strength(shares);
-        return shares[0] == shares[1] && shares[0] == shares[2] || most == 0
+        return (shares[0] == shares[1] && shares[0] == shares[2]) || most == 0
                 ? Color.WHITE // of any strength
                 : Color.ofLinear(
                         Math.max(0, shares[0] / most), Math.max(0, shares[1] / most), Math.max(0, shares[2] / most));
