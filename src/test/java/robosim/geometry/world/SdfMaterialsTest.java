@@ -216,9 +216,10 @@ class SdfMaterialsTest {
     }
 
     @Test
-    void aMissingPictureIsNamedAndThePlainColorSeen() throws IOException {
+    void aMissingPictureIsToldAndThePlainColorSeen() throws IOException {
         WorldImport read =
                 read(shown("<box><size>1 1 1</size></box>", metal("<albedo_map>gone.png</albedo_map>")), true);
+        assertThat(read.isWhole()).isTrue();
         assertThat(read.world()
                         .objects()
                         .get(0)
@@ -228,7 +229,10 @@ class SdfMaterialsTest {
                         .material()
                         .color())
                 .isEqualTo(new Color(0.5, 0.5, 0.5));
-        assertThat(read.skipped()).singleElement().asString().contains("<albedo_map>", "gone.png");
+        assertThat(read.remarks())
+                .singleElement()
+                .asString()
+                .contains("1 visual is seen in a plain colour", "gone.png");
     }
 
     @ParameterizedTest

@@ -1,14 +1,11 @@
 package robosim.geometry.world.sdf;
 
-import java.nio.file.Path;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
-import robosim.geometry.material.Texture;
 import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
-import robosim.geometry.world.shared.LimitProblem;
 import robosim.geometry.world.shared.Numbers;
 
 /**
@@ -77,15 +74,10 @@ final class SdfMaterials {
         return found == null ? null : read(found);
     }
 
-    /** What a visual is made of; null if it does not say so. */
-    static @Nullable Material ofVisual(SdfElement visual, SdfFiles files) throws FileProblem {
+    /** What a visual is made of, but for its picture; null if it does not say so. */
+    static @Nullable Material ofVisual(SdfElement visual) throws FileProblem {
         SdfElement material = visual.child("material");
-        if (material == null || material.children.isEmpty()) {
-            return null;
-        }
-        Material made = read(material);
-        SdfElement map = picture(visual);
-        return map == null ? made : made.withTexture(texture(map, files));
+        return material == null || material.children.isEmpty() ? null : read(material);
     }
 
     /** The picture of the colours of a visual; null if it has none. */
@@ -98,22 +90,6 @@ final class SdfMaterials {
     private static @Nullable SdfElement metal(@Nullable SdfElement material) {
         SdfElement physical = material == null ? null : material.child("pbr");
         return physical == null ? null : physical.child("metal");
-    }
-
-    /** A picture that cannot be read is left out, and the plain colour is seen there. */
-    private static @Nullable Texture texture(SdfElement map, SdfFiles files) throws FileProblem {
-        try {
-            Path file = files.find(map);
-            if (file == null) {
-                throw files.missing(map);
-            }
-            return files.textures().read(file.toAbsolutePath().resolveSibling(""), String.valueOf(file.getFileName()));
-        } catch (LimitProblem e) {
-            throw e;
-        } catch (FileProblem | IllegalArgumentException e) {
-            files.textures().leaveOut(map.file.path(), map.line, map.tag(), String.valueOf(e.getMessage()), e);
-            return null;
-        }
     }
 
     /** A material by the name of one of Gazebo's scripts, which may glow; the default for others. */

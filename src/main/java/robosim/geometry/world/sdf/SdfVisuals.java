@@ -1,5 +1,6 @@
 package robosim.geometry.world.sdf;
 
+import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.ImageTexture;
@@ -17,6 +18,11 @@ final class SdfVisuals {
     private final SdfShapes shapes;
     private int failed;
     private String first = "";
+
+    /** Those seen without their pictures. */
+    private int plain;
+
+    private String firstPlain = "";
 
     SdfVisuals(SdfShapes shapes) {
         this.shapes = shapes;
@@ -40,8 +46,10 @@ final class SdfVisuals {
             if (shape == null || SdfShapes.isFloor(visual, place)) {
                 return null;
             }
-            Material material = SdfMaterials.ofVisual(visual, shapes.files());
-            if (material != null && material.texture() instanceof ImageTexture image) {
+            Material material = SdfMaterials.ofVisual(visual);
+            SdfElement map = SdfMaterials.picture(visual);
+            ImageTexture image = material == null || map == null ? null : picture(map);
+            if (material != null && image != null) {
                 material = material.withTexture(covering(shape, image));
             }
             GeometryObject made = material == null || material.isDefault() ? shape : shape.withMaterial(material);
@@ -50,6 +58,23 @@ final class SdfVisuals {
             throw e;
         } catch (FileProblem | IllegalArgumentException e) {
             first = failed++ == 0 ? String.valueOf(e.getMessage()) : first;
+            return null;
+        }
+    }
+
+    /** The picture of an element; null if it cannot be read, and the plain colour is seen there. */
+    private @Nullable ImageTexture picture(SdfElement map) throws FileProblem {
+        SdfFiles files = shapes.files();
+        try {
+            Path file = files.find(map);
+            if (file == null) {
+                throw files.missing(map);
+            }
+            return files.textures().read(file.toAbsolutePath().resolveSibling(""), String.valueOf(file.getFileName()));
+        } catch (LimitProblem e) {
+            throw e;
+        } catch (FileProblem | IllegalArgumentException e) {
+            firstPlain = plain++ == 0 ? String.valueOf(e.getMessage()) : firstPlain;
             return null;
         }
     }
@@ -75,6 +100,11 @@ final class SdfVisuals {
         if (failed > 0) {
             remarks.add(failed + (failed == 1 ? " visual is" : " visuals are")
                     + " not seen, and a model without others as" + " its collisions; the first one: " + first);
+        }
+        if (plain > 0) {
+            remarks.add(
+                    plain + (plain == 1 ? " visual is" : " visuals are") + " seen in a plain colour, as the picture of"
+                            + " an <albedo_map> cannot be read; the first one: " + firstPlain);
         }
     }
 
