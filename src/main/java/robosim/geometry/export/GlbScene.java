@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.index.meshes.TriangleMesh;
+import robosim.geometry.material.Color;
 import robosim.geometry.material.ImageTexture;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
@@ -15,8 +18,10 @@ import robosim.geometry.model.GeometryObject.RoundedBox;
 import robosim.geometry.model.GridObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Quaternion;
+import robosim.geometry.render.Light;
 import robosim.geometry.world.shared.JsonText;
 
 /** The nodes, meshes and materials of a glTF file, as JSON, and the numbers that they refer to. */
@@ -27,6 +32,9 @@ final class GlbScene {
     private static final int UNSIGNED_INT = 5125;
     private static final int VERTICES = 34962;
     private static final int INDICES = 34963;
+
+    /** The extension of glTF for lights. */
+    private static final String LIGHTS = "KHR_lights_punctual";
 
     /** A shape of a material. */
     private record Painted(int shape, int material) {}
@@ -43,6 +51,7 @@ final class GlbScene {
     private final List<String> views = new ArrayList<>();
     private final List<String> accessors = new ArrayList<>();
     private final List<String> nodes = new ArrayList<>();
+    private final List<String> lights = new ArrayList<>();
     private final Map<List<Painted>, Integer> meshes = new LinkedHashMap<>();
 
     /** Of each shape, its attributes and indices. */
@@ -127,6 +136,59 @@ final class GlbScene {
         return new Painted(shape, materials.number(material));
     }
 
+    /**
+     * Adds a light and returns the number of its node. glTF's lights are in lux and candela, by which white surfaces that they
+     * face scatter a share of 1 / pi; they fall with the square of the distance, so that one that falls otherwise is right at
+     * a distance of one world unit.
+     */
+    int light(Light light, double metres) {
+        boolean isSun = light instanceof Light.Sun;
+        Light.Falloff falloff = light instanceof Light.Lamp lamp
+                ? lamp.falloff()
+                : light instanceof Light.Spot spot ? spot.falloff() : Light.Falloff.SQUARE;
+        double intensity = Math.PI
+                * light.strength()
+                * (isSun ? 1 : metres * metres)
+                / (falloff.constant() + falloff.linear() + falloff.quadratic());
+        Color color = light.color();
+        String kind = isSun ? "directional" : light instanceof Light.Spot ? "spot" : "point";
+        StringBuilder json = new StringBuilder("{\"type\":\"" + kind + "\",\"color\":")
+                .append(List.of(color.linearRed(), color.linearGreen(), color.linearBlue()))
+                .append(",\"intensity\":")
+                .append(intensity);
+        if (falloff.range() < Double.POSITIVE_INFINITY) {
+            json.append(",\"range\":").append(falloff.range() * metres);
+        }
+        String placed = "\"name\":\"" + kind + " light " + (lights.size() + 1) + "\"";
+        if (light instanceof Light.Sun sun) {
+            placed += faced(sun.direction());
+        } else if (light instanceof Light.Spot spot) {
+            double half = Degrees.toRadians(spot.degrees() / 2);
+            json.append(",\"spot\":{\"innerConeAngle\":" + 0.75 * half + ",\"outerConeAngle\":" + half + "}");
+            placed += at(spot.place()) + faced(spot.direction());
+        } else {
+            placed += at(((Light.Lamp) light).place());
+        }
+        lights.add(json.append('}').toString());
+        return node(placed + ",\"extensions\":{\"" + LIGHTS + "\":{\"light\":" + (lights.size() - 1) + "}}");
+    }
+
+    private static String at(Point place) {
+        return ",\"translation\":" + List.of(place.x(), place.y(), place.z());
+    }
+
+    /** The rotation of a node whose light shines along its -Z. */
+    private static String faced(Point direction) {
+        double length = VectorMath.length(direction.x(), direction.y(), direction.z());
+        double x = direction.y() / length;
+        double y = -direction.x() / length;
+        double w = 1 - direction.z() / length;
+        double norm = VectorMath.length(x, y, w);
+        return norm < 1e-9 // the opposite way
+                ? ",\"rotation\":" + List.of(0.0, 1.0, 0.0, 0.0)
+                : ",\"rotation\":" + List.of(x / norm, y / norm, 0.0, w / norm);
+    }
+
     /** Adds the node that holds all others, in metres, and returns its number. */
     int root(String name, double metres, List<Integer> children) {
         String scale = metres == 1 ? "" : ",\"scale\":" + List.of(metres, metres, metres);
@@ -153,6 +215,11 @@ final class GlbScene {
         list(json, "samplers", materials.samplers());
         list(json, "accessors", accessors);
         list(json, "bufferViews", views);
+        if (!lights.isEmpty()) {
+            json.append(",\"extensionsUsed\":[\"" + LIGHTS + "\"],\"extensions\":{\"" + LIGHTS + "\":{\"lights\":")
+                    .append(lights)
+                    .append("}}");
+        }
         if (numbers.size() > 0) {
             json.append(",\"buffers\":[{\"byteLength\":").append(numbers.size()).append("}]");
         }

@@ -11,6 +11,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.world.Unit;
@@ -58,7 +59,16 @@ public final class GlbWriter {
             nodes.add(scene.object(seen, Material.of(Color.ofPacked(usual)), called));
         }
         Unit unit = world.unit();
-        int root = scene.root(title, unit == null ? 1 : unit.metres(), nodes);
+        for (GeometryObject each : world.scenery()) {
+            Material usual = Material.of(Color.ofPacked(Palette.of(each.kind()).in(Theme.LIGHT)));
+            nodes.add(scene.object(each, usual, "scenery " + (nodes.size() + 1)));
+        }
+        double metres = unit == null ? 1 : unit.metres();
+        Lighting lighting = world.lighting();
+        if (lighting != null) {
+            lighting.lights().forEach(light -> nodes.add(scene.light(light, metres)));
+        }
+        int root = scene.root(title, metres, nodes);
         byte[] json = scene.json(root).getBytes(StandardCharsets.UTF_8);
         byte[] numbers = scene.numbers.toBytes();
         AtomicFileWriter.write(file, out -> write(json, numbers, out));

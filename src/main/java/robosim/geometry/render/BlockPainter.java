@@ -223,10 +223,61 @@ final class BlockPainter {
                 }
             }
             illuminator.look(count);
+            int hidden = 0;
             for (int j = 0; j < count; j++) {
-                smooth.ask(pixels[hits.target[illuminator.asker(j)] / samples], illuminator.isFree(j));
+                int k = illuminator.asker(j);
+                boolean isFree = illuminator.isFree(j);
+                smooth.ask(pixels[hits.target[k] / samples], isFree);
+                if (!isFree && options.isIndirect()) {
+                    skyRays[hidden] = k;
+                    illuminator.ray(j, mirrored, 7 * hidden++);
+                }
+            }
+            if (hidden > 0) {
+                bounce(smooth, options, samples, hidden);
             }
         }
+    }
+
+    /**
+     * Adds the light of the surfaces that hide the sky, which are lit by lights and by the sky as far as the paths to them
+     * are free: none comes through a wall.
+     *
+     * @param hidden how many rays met one; they are in the place of mirrored ones, and their points in that of sky rays
+     */
+    private void bounce(SkyShade smooth, ColorCamera.Options options, int samples, int hidden) {
+        world.castRays(mirrored, hidden, met);
+        next.count = 0;
+        for (int ray = 0; ray < hidden; ray++) {
+            GeometryObject object = met.object(ray);
+            aim(next, ray);
+            if (object != null) {
+                ShadedSurface surface = surfaces.of(object, met.part(ray));
+                next.add(met.distances()[ray], surface, met.face(ray), met.normals(), ray, sky, skyRays[ray], 1);
+            }
+        }
+        for (PixelBeam beam : beams) {
+            illuminator.addLight(next, beam);
+        }
+        for (int k = 0; k < next.count; k++) {
+            int way = SkyRays.first(pixels[hits.target[next.target[k]] / samples]);
+            illuminator.askSky(k, k, next, way, options.skyReach());
+        }
+        illuminator.look(next.count);
+        for (int k = 0; k < next.count; k++) {
+            int from = next.target[k];
+            double up = hits.normal[3 * from + 1];
+            double free = illuminator.isFree(k) ? 1 : 0;
+            smooth.find(
+                    pixels[hits.target[from] / samples],
+                    share(next.direct[3 * k] + free * next.ambient[3 * k], sky.ambient(0, up)),
+                    share(next.direct[3 * k + 1] + free * next.ambient[3 * k + 1], sky.ambient(1, up)),
+                    share(next.direct[3 * k + 2] + free * next.ambient[3 * k + 2], sky.ambient(2, up)));
+        }
+    }
+
+    private static double share(double light, double ofSky) {
+        return ofSky > 0 ? light / ofSky : 0;
     }
 
     /** Asks for points that got light, or show a mirror, whether there is an unbroken way to the eye. */
@@ -303,19 +354,18 @@ final class BlockPainter {
     private void follow(int rays) {
         next.count = 0;
         for (int ray = 0; ray < rays; ray++) {
-            int at = 7 * ray;
-            next.aim(
-                    mirrored[at],
-                    mirrored[at + 1],
-                    mirrored[at + 2],
-                    mirrored[at + 3],
-                    mirrored[at + 4],
-                    mirrored[at + 5]);
+            aim(next, ray);
             take(next, ray, hits.target[ray], hits.weight[ray]);
         }
         Hits done = hits;
         hits = next;
         next = done;
+    }
+
+    private void aim(Hits into, int ray) {
+        int at = 7 * ray;
+        into.aim(
+                mirrored[at], mirrored[at + 1], mirrored[at + 2], mirrored[at + 3], mirrored[at + 4], mirrored[at + 5]);
     }
 
     /** The mean light of the samples of each pixel, in sRGB, or noted for later. */

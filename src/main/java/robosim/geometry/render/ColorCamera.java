@@ -62,27 +62,35 @@ public final class ColorCamera {
      *
      * @param skyRays of each sample
      * @param smoothRays of each pixel; they take the place of the others
+     * @param isIndirect whether these add the light of the surfaces that they hit
      */
     record Options(
-            Lighting lighting, int mirrors, int skyRays, int smoothRays, double skyReach, Carrier seen, int threads) {
+            Lighting lighting,
+            int mirrors,
+            int skyRays,
+            int smoothRays,
+            double skyReach,
+            boolean isIndirect,
+            Carrier seen,
+            int threads) {
         Options lit(Lighting by) {
-            return new Options(by, mirrors, skyRays, smoothRays, skyReach, seen, threads);
+            return new Options(by, mirrors, skyRays, smoothRays, skyReach, isIndirect, seen, threads);
         }
 
         Options mirrored(int depth) {
-            return new Options(lighting, depth, skyRays, smoothRays, skyReach, seen, threads);
+            return new Options(lighting, depth, skyRays, smoothRays, skyReach, isIndirect, seen, threads);
         }
 
-        Options shaded(int rays, int smooth, double reach) {
-            return new Options(lighting, mirrors, rays, smooth, reach, seen, threads);
+        Options shaded(int rays, int smooth, double reach, boolean bounces) {
+            return new Options(lighting, mirrors, rays, smooth, reach, bounces, seen, threads);
         }
 
         Options carried(Carrier as) {
-            return new Options(lighting, mirrors, skyRays, smoothRays, skyReach, as, threads);
+            return new Options(lighting, mirrors, skyRays, smoothRays, skyReach, isIndirect, as, threads);
         }
 
         Options threaded(int count) {
-            return new Options(lighting, mirrors, skyRays, smoothRays, skyReach, seen, count);
+            return new Options(lighting, mirrors, skyRays, smoothRays, skyReach, isIndirect, seen, count);
         }
     }
 
@@ -116,7 +124,7 @@ public final class ColorCamera {
                 horizontalFieldOfViewDegrees,
                 Pose.ORIGIN,
                 null,
-                new Options(Lighting.DAY, 3, 0, 0, Double.POSITIVE_INFINITY, Carrier.IGNORED, 1));
+                new Options(Lighting.DAY, 3, 0, 0, Double.POSITIVE_INFINITY, false, Carrier.IGNORED, 1));
     }
 
     /**
@@ -205,7 +213,7 @@ public final class ColorCamera {
     public ColorCamera withSkyRays(int count, double reach) {
         check("count", count, 0, MOST_SKY_RAYS);
         checkReach(reach);
-        return with(options.shaded(count, 0, reach));
+        return with(options.shaded(count, 0, reach, false));
     }
 
     private static void checkReach(double reach) {
@@ -226,7 +234,20 @@ public final class ColorCamera {
     public ColorCamera withSmoothSky(int count, double reach) {
         check("count", count, 0, MOST_SKY_RAYS);
         checkReach(reach);
-        return with(options.shaded(0, count, reach));
+        return with(options.shaded(0, count, reach, false));
+    }
+
+    /**
+     * This camera with smooth shadows of the sky and with indirect light: a surface that hides the sky gives the light that
+     * it gets itself, from lights and from the sky, once. So what stands in deep shadow is not black, and takes on the
+     * colours beside it. The paths of that light are exact rays too, and none comes through a wall.
+     *
+     * @param count for each pixel, as of {@link #withSmoothSky}
+     * @param reach as there; also how far indirect light comes
+     */
+    public ColorCamera withIndirectLight(int count, double reach) {
+        ColorCamera smooth = withSmoothSky(count, reach);
+        return smooth.with(options.shaded(0, count, reach, true));
     }
 
     /** This camera, which sees or does not see the object that carries it. That object throws its shadow in any case. */

@@ -50,9 +50,11 @@ final class Illuminator {
                 count++;
             }
         }
-        freeRays(count);
+        if (beam.hasShadows) {
+            freeRays(count);
+        }
         for (int j = 0; j < count; j++) {
-            if (isFree(j)) {
+            if (!beam.hasShadows || isFree(j)) {
                 int at = 3 * asker[j];
                 hits.direct[at] += carried[3 * j];
                 hits.direct[at + 1] += carried[3 * j + 1];
@@ -82,6 +84,11 @@ final class Illuminator {
     /** Answers so many rays that were taken. */
     void look(int count) {
         freeRays(count);
+    }
+
+    /** Writes a ray that was taken: its start, its direction and its range. */
+    void ray(int ray, double[] out, int at) {
+        System.arraycopy(rays, RAY * ray, out, at, RAY);
     }
 
     /** The point of a ray. */

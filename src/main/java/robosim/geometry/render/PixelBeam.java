@@ -11,6 +11,9 @@ final class PixelBeam {
     final double green;
     final double blue;
 
+    /** Whether what is in the way keeps its light off. */
+    final boolean hasShadows;
+
     /** Whether it is so far away that its rays are parallel. */
     private final boolean isSun;
 
@@ -25,6 +28,8 @@ final class PixelBeam {
     private double edge = -2;
     private double full = -1;
 
+    private Light.Falloff falloff = Light.Falloff.SQUARE;
+
     // What was found for the last point: the unit way to the light, how far it is, and how much arrives.
     double wayX;
     double wayY;
@@ -37,6 +42,7 @@ final class PixelBeam {
         red = color.linearRed() * light.strength();
         green = color.linearGreen() * light.strength();
         blue = color.linearBlue() * light.strength();
+        hasShadows = light.shadows() == Light.Shadows.HARD;
         isSun = light instanceof Light.Sun;
         if (light instanceof Light.Sun sun) {
             Point way = sun.direction();
@@ -46,6 +52,7 @@ final class PixelBeam {
             z = -way.z() * scale;
         } else {
             Point place = light instanceof Light.Spot spot ? spot.place() : ((Light.Lamp) light).place();
+            falloff = light instanceof Light.Spot spot ? spot.falloff() : ((Light.Lamp) light).falloff();
             x = place.x();
             y = place.y();
             z = place.z();
@@ -83,10 +90,14 @@ final class PixelBeam {
             return false;
         }
         distance = Math.sqrt(square);
+        if (distance > falloff.range()) {
+            return false;
+        }
         wayX = dx / distance;
         wayY = dy / distance;
         wayZ = dz / distance;
-        strength = facing(normals, at) / square;
+        strength =
+                facing(normals, at) / (falloff.constant() + falloff.linear() * distance + falloff.quadratic() * square);
         double along = -(wayX * axisX + wayY * axisY + wayZ * axisZ);
         if (edge > -2 && along < full) {
             double share = (along - edge) / (full - edge);

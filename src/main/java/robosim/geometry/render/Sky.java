@@ -1,5 +1,6 @@
 package robosim.geometry.render;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.material.Color;
 
@@ -11,8 +12,14 @@ import robosim.geometry.material.Color;
  * @param horizon  at the horizon
  * @param ground   straight down
  * @param strength how much of their light reaches the surfaces; 0 for none. With 1, white under a white sky is white
+ * @param light    the colour of the even light, from above and from below; null for those of the sky and the ground
  */
-public record Sky(Color zenith, Color horizon, Color ground, double strength) {
+public record Sky(
+        Color zenith,
+        Color horizon,
+        Color ground,
+        double strength,
+        @Nullable Color light) {
     /** A clear day. */
     public static final Sky DAY = new Sky(Color.parse("#4d84c4"), Color.parse("#e3edf7"), Color.parse("#b4b6b8"), 0.7);
 
@@ -28,6 +35,11 @@ public record Sky(Color zenith, Color horizon, Color ground, double strength) {
         }
     }
 
+    /** A sky whose light has its own colours. */
+    public Sky(Color zenith, Color horizon, Color ground, double strength) {
+        this(zenith, horizon, ground, strength, null);
+    }
+
     /** A sky of one colour in all directions. */
     public static Sky of(Color color, double strength) {
         return new Sky(color, color, color, strength);
@@ -35,6 +47,11 @@ public record Sky(Color zenith, Color horizon, Color ground, double strength) {
 
     /** This sky with another strength of its light. */
     public Sky withStrength(double newStrength) {
-        return new Sky(zenith, horizon, ground, newStrength);
+        return new Sky(zenith, horizon, ground, newStrength, light);
+    }
+
+    /** This sky with even light of another colour; null for its own colours. */
+    public Sky withLight(@Nullable Color newLight) {
+        return new Sky(zenith, horizon, ground, strength, newLight);
     }
 }

@@ -14,9 +14,14 @@ final class SkyLight {
         set(zenith, sky.zenith());
         set(horizon, sky.horizon());
         set(ground, sky.ground());
+        Color light = sky.light();
+        if (light != null) {
+            set(above, light);
+            set(below, light);
+        }
         for (int k = 0; k < 3; k++) {
-            above[k] = sky.strength() * (zenith[k] + horizon[k]) / 2;
-            below[k] = sky.strength() * ground[k];
+            above[k] = sky.strength() * (light == null ? (zenith[k] + horizon[k]) / 2 : above[k]);
+            below[k] = sky.strength() * (light == null ? ground[k] : below[k]);
         }
     }
 

@@ -37,7 +37,10 @@ final class SkyShade {
 
     private float[] normal = new float[0];
 
-    /** How many rays asked for the sky, and how many of them found it: of a pixel, and later of those around it. */
+    /**
+     * How many rays asked for the sky, and in each of three components how much of its light they found, where one that found
+     * the sky counts 1: of a pixel, and later of those around it.
+     */
     private float[] asked = new float[0];
 
     private float[] found = new float[0];
@@ -62,9 +65,9 @@ final class SkyShade {
             point = new float[3 * count];
             normal = new float[3 * count];
             asked = new float[count];
-            found = new float[count];
+            found = new float[3 * count];
             askedAlong = new float[count];
-            foundAlong = new float[count];
+            foundAlong = new float[3 * count];
         }
         Arrays.fill(normal, 0);
         Arrays.fill(asked, 0);
@@ -95,8 +98,15 @@ final class SkyShade {
     void ask(int at, boolean isFree) {
         asked[at]++;
         if (isFree) {
-            found[at]++;
+            find(at, 1, 1, 1);
         }
+    }
+
+    /** Notes light that a ray found, as a share of that of the sky. */
+    void find(int at, double red, double green, double blue) {
+        found[3 * at] += (float) red;
+        found[3 * at + 1] += (float) green;
+        found[3 * at + 2] += (float) blue;
     }
 
     /** Notes the light of a pixel. */
@@ -140,18 +150,24 @@ final class SkyShade {
             // A pixel covers more of a surface that is seen from the side, but along the surface.
             float apart = APART * pixel * (float) Math.sqrt(px * px + py * py + pz * pz);
             float asking = 0;
-            float finding = 0;
+            float red = 0;
+            float green = 0;
+            float blue = 0;
             for (int other = first; other <= last; other += step) {
                 int k = 3 * other;
                 float alike = nx * normal[k] + ny * normal[k + 1] + nz * normal[k + 2];
                 float away = nx * (point[k] - px) + ny * (point[k + 1] - py) + nz * (point[k + 2] - pz);
                 if (alike > ALIKE && Math.abs(away) < apart) {
                     asking += fromAsked[other];
-                    finding += fromFound[other];
+                    red += fromFound[k];
+                    green += fromFound[k + 1];
+                    blue += fromFound[k + 2];
                 }
             }
             toAsked[at] = asking; // whole numbers below 2^24, so exact
-            toFound[at] = finding;
+            toFound[3 * at] = red;
+            toFound[3 * at + 1] = green;
+            toFound[3 * at + 2] = blue;
         }
     }
 
@@ -165,10 +181,12 @@ final class SkyShade {
             if (only != null && !only[at]) {
                 continue;
             }
-            double share = asked[at] == 0 ? 1 : (double) found[at] / asked[at];
-            out[at] = Color.component(light[3 * at] + share * sky[3 * at]) << 16
-                    | Color.component(light[3 * at + 1] + share * sky[3 * at + 1]) << 8
-                    | Color.component(light[3 * at + 2] + share * sky[3 * at + 2]);
+            out[at] = component(at, 0) << 16 | component(at, 1) << 8 | component(at, 2);
         }
+    }
+
+    private int component(int at, int c) {
+        double share = asked[at] == 0 ? 1 : (double) found[3 * at + c] / asked[at];
+        return Color.component(light[3 * at + c] + share * sky[3 * at + c]);
     }
 }

@@ -9,6 +9,9 @@ import org.xml.sax.helpers.AttributesImpl;
 import robosim.geometry.material.Texture;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.render.Light;
+import robosim.geometry.render.Lighting;
+import robosim.geometry.render.Sky;
 import robosim.geometry.world.xml.Text;
 
 /** An XML element that is being read: its attributes, where it began, and what its children have yielded so far. */
@@ -26,6 +29,19 @@ final class Element {
     /** What is seen of an object; null for its shape. */
     @Nullable
     List<GeometryObject> visuals;
+
+    /** The sky and the lights of a world's light. */
+    @Nullable
+    Sky sky;
+
+    final List<Light> lights = new ArrayList<>();
+
+    /** What a world shows beside its objects. */
+    List<GeometryObject> scenery = List.of();
+
+    /** The light of a world; null for that of a clear day. */
+    @Nullable
+    Lighting lighting;
 
     final List<SonarRing> sonars = new ArrayList<>();
     final List<Point> vertices = new ArrayList<>();

@@ -196,7 +196,7 @@ final class ObjectBuilder {
         return Pose.of(center, attitude, 0);
     }
 
-    private Point point(Element element, String attribute) {
+    Point point(Element element, String attribute) {
         String[] parts = Numbers.words(element.attribute(attribute, "0 0 0"));
         return named(attribute, () -> {
             Unit unit = unit(element);
@@ -204,7 +204,7 @@ final class ObjectBuilder {
         });
     }
 
-    private static double[] numbers(String attribute, String value) {
+    static double[] numbers(String attribute, String value) {
         String[] parts = Numbers.words(value);
         double[] numbers = new double[parts.length];
         return named(attribute, () -> {

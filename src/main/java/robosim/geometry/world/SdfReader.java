@@ -72,7 +72,9 @@ final class SdfReader {
                     Unit.METRE,
                     Dimension.SPATIAL,
                     Accuracy.EXACT,
-                    objects);
+                    objects,
+                    found.lighting(),
+                    found.scenery());
             Map<String, Integer> read = new TreeMap<>(found.counts());
             remarks.addAll(files.remarks());
             remarks.addAll(tree.remarks());

@@ -13,6 +13,7 @@ import robosim.geometry.check.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.world.shared.Floor;
 
 /**
@@ -26,6 +27,8 @@ import robosim.geometry.world.shared.Floor;
  * @param dimension whether heights count
  * @param accuracy  what stands for an object in a query
  * @param objects   with names that are unique among them
+ * @param lighting  in which pictures show it; null for that of a clear day
+ * @param scenery   what pictures show beside the objects and nothing collides with: static, without names
  */
 public record World(
         double width,
@@ -34,7 +37,9 @@ public record World(
         @Nullable Unit unit,
         Dimension dimension,
         Accuracy accuracy,
-        List<WorldObject> objects) {
+        List<WorldObject> objects,
+        @Nullable Lighting lighting,
+        List<GeometryObject> scenery) {
 
     /** Refuses invalid sizes, and two objects of one name. */
     public World {
@@ -52,6 +57,13 @@ public record World(
             }
         }
         checkAttached(objects);
+        scenery = Checks.list("scenery", scenery);
+        for (GeometryObject each : scenery) {
+            if (each.name() != null || each.isMoveable() || each.visuals() != null) {
+                throw new IllegalArgumentException(
+                        "scenery must be static, without names and without visuals (got: " + each + ")");
+            }
+        }
     }
 
     private static void checkAttached(List<WorldObject> objects) {
@@ -83,6 +95,18 @@ public record World(
         this(width, height, length, null, Dimension.SPATIAL, Accuracy.EXACT, objects);
     }
 
+    /** A world on a clear day. */
+    public World(
+            double width,
+            double height,
+            double length,
+            @Nullable Unit unit,
+            Dimension dimension,
+            Accuracy accuracy,
+            List<WorldObject> objects) {
+        this(width, height, length, unit, dimension, accuracy, objects, null, List.of());
+    }
+
     private static double size(String argument, double value) {
         if (!(value > 0 && value <= 0x1p101)) { // written so that NaN fails it
             throw new IllegalArgumentException(argument + " must be above 0 and at most 2^101 (got: " + value + ")");
@@ -92,7 +116,22 @@ public record World(
 
     /** A world of the same size and settings with other objects. */
     public World withObjects(List<WorldObject> others) {
-        return new World(width, height, length, unit, dimension, accuracy, others);
+        return new World(width, height, length, unit, dimension, accuracy, others, lighting, scenery);
+    }
+
+    /** The same world in other light; null for that of a clear day. */
+    public World withLighting(@Nullable Lighting newLighting) {
+        return new World(width, height, length, unit, dimension, accuracy, objects, newLighting, scenery);
+    }
+
+    /** The same world with other scenery. */
+    public World withScenery(List<GeometryObject> newScenery) {
+        return new World(width, height, length, unit, dimension, accuracy, objects, lighting, newScenery);
+    }
+
+    /** The light in which pictures show the world: its own, or that of a clear day. */
+    public Lighting light() {
+        return lighting == null ? Lighting.DAY : lighting;
     }
 
     /**
@@ -103,12 +142,12 @@ public record World(
         List<WorldObject> standing = objects.stream()
                 .filter(each -> !Floor.isFloor(each.object(), width, length))
                 .toList();
-        return new World(width, height, length, unit, Dimension.PLANAR, accuracy, standing);
+        return new World(width, height, length, unit, Dimension.PLANAR, accuracy, standing, lighting, scenery);
     }
 
     /** The same world where heights count. */
     public World spatial() {
-        return new World(width, height, length, unit, Dimension.SPATIAL, accuracy, objects);
+        return new World(width, height, length, unit, Dimension.SPATIAL, accuracy, objects, lighting, scenery);
     }
 
     /**

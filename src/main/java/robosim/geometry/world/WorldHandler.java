@@ -249,6 +249,10 @@ final class WorldHandler extends XmlHandler {
             case "bounds" -> parent.bounds = element.members.get(0);
             case "visual" -> parent.visuals = element.members;
             case "sonar" -> parent.sonars.add(builder.sonar(element));
+            case "sky" -> parent.sky = WorldLights.sky(element);
+            case "sun", "lamp", "spot" -> parent.lights.add(WorldLights.light(element, builder));
+            case "scenery" -> parent.scenery = element.members;
+            case "lighting" -> parent.lighting = WorldLights.of(element);
             case "body", "drive" -> parent.motion = element;
             case "material" -> builder.materials.define(element);
             case "checker", "stripes", "image" -> parent.texture = builder.materials.texture(element);
@@ -271,7 +275,9 @@ final class WorldHandler extends XmlHandler {
                 builder.unit(root),
                 Dimension.valueOf(root.attribute("dimension", "SPATIAL")),
                 Accuracy.valueOf(root.attribute("accuracy", "EXACT")),
-                all);
+                all,
+                root.lighting,
+                root.scenery);
     }
 
     /** Adds the objects of another file. */

@@ -84,7 +84,7 @@ final class WorldMaterials {
     }
 
     /** {@code #rrggbb}, or three numbers. */
-    private static Color color(Element element, String attribute, @Nullable Color otherwise) {
+    static Color color(Element element, String attribute, @Nullable Color otherwise) {
         String value = element.attribute(attribute);
         if (value == null) {
             if (otherwise == null) {
@@ -198,6 +198,9 @@ final class WorldMaterials {
     /** The names of the materials of a world's objects that a colour alone does not tell, in the order of their use. */
     static Map<Material, String> named(World world) {
         Map<Material, String> names = new LinkedHashMap<>();
+        for (GeometryObject each : world.scenery()) {
+            name(each, colorOf(each), names);
+        }
         for (WorldObject each : world.objects()) {
             name(each.object(), each.color(), names);
         }
@@ -274,7 +277,7 @@ final class WorldMaterials {
         }
     }
 
-    private static String text(Color color) {
+    static String text(Color color) {
         return color.isPacked()
                 ? color.toString()
                 : Decimal.of(color.red()) + " " + Decimal.of(color.green()) + " " + Decimal.of(color.blue());

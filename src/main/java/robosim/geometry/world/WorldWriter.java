@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.check.Checks;
 import robosim.geometry.dynamics.Drive;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.TextureCoordinates;
 import robosim.geometry.model.GeometryObject;
@@ -20,6 +21,9 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
+import robosim.geometry.render.Light;
+import robosim.geometry.render.Lighting;
+import robosim.geometry.render.Sky;
 import robosim.geometry.world.body.BodyXml;
 import robosim.geometry.world.body.ObjectBody;
 import robosim.geometry.world.shared.AtomicFileWriter;
@@ -140,6 +144,10 @@ public final class WorldWriter {
         out.append(">\n");
         materials = WorldMaterials.named(world);
         WorldMaterials.write(materials, this);
+        lighting(world.lighting());
+        if (!world.scenery().isEmpty()) {
+            shapes("scenery", world.scenery(), 1);
+        }
         long cells = 0;
         for (WorldObject object : world.objects()) {
             if (object.object() instanceof GridObject grid) {
@@ -154,6 +162,76 @@ public final class WorldWriter {
             object(object.object(), object.color(), object.sonars(), object.body(), object.attached(), 1);
         }
         out.append("</world>\n");
+    }
+
+    /** Writes the light of a world; nothing for that of a clear day. */
+    private void lighting(@Nullable Lighting lighting) {
+        if (lighting == null) {
+            return;
+        }
+        open("lighting", 1);
+        line(">");
+        Sky sky = lighting.sky();
+        open("sky", 2);
+        attribute("zenith", WorldMaterials.text(sky.zenith()));
+        attribute("horizon", WorldMaterials.text(sky.horizon()));
+        attribute("ground", WorldMaterials.text(sky.ground()));
+        number("strength", sky.strength());
+        Color even = sky.light();
+        if (even != null) {
+            attribute("light", WorldMaterials.text(even));
+        }
+        line("/>");
+        lighting.lights().forEach(this::light);
+        close("lighting", 1);
+    }
+
+    private void light(Light light) {
+        if (light instanceof Light.Sun sun) {
+            open("sun", 2);
+            attribute("direction", text(sun.direction()));
+        } else if (light instanceof Light.Spot spot) {
+            open("spot", 2);
+            attribute("center", text(spot.place()));
+            attribute("direction", text(spot.direction()));
+            number("angle", spot.degrees());
+            falloff(spot.falloff());
+        } else {
+            Light.Lamp lamp = (Light.Lamp) light;
+            open("lamp", 2);
+            attribute("center", text(lamp.place()));
+            falloff(lamp.falloff());
+        }
+        attribute("color", WorldMaterials.text(light.color()));
+        number("strength", light.strength());
+        if (light.shadows() == Light.Shadows.NONE) {
+            attribute("shadows", "none");
+        }
+        line("/>");
+    }
+
+    private void falloff(Light.Falloff falloff) {
+        if (falloff.range() < Double.POSITIVE_INFINITY) {
+            number("range", falloff.range());
+        }
+        if (falloff.constant() != 0 || falloff.linear() != 0 || falloff.quadratic() != 1) {
+            number("constant", falloff.constant());
+            number("linear", falloff.linear());
+            number("quadratic", falloff.quadratic());
+        }
+    }
+
+    private static String text(Point point) {
+        return Decimal.of(point.x()) + " " + Decimal.of(point.y()) + " " + Decimal.of(point.z());
+    }
+
+    private void shapes(String tag, List<GeometryObject> shapes, int depth) {
+        open(tag, depth);
+        line(">");
+        for (GeometryObject shape : shapes) {
+            object(shape, WorldMaterials.colorOf(shape), List.of(), null, null, depth + 1);
+        }
+        close(tag, depth);
     }
 
     private void object(
@@ -184,11 +262,7 @@ public final class WorldWriter {
         content(object, depth + 1);
         List<GeometryObject> visuals = object.visuals();
         if (visuals != null) {
-            indent(depth + 1).append("<visual>\n");
-            for (GeometryObject visual : visuals) {
-                object(visual, WorldMaterials.colorOf(visual), List.of(), null, null, depth + 2);
-            }
-            close("visual", depth + 1);
+            shapes("visual", visuals, depth + 1);
         }
         for (SonarRing sonar : sonars) {
             sonar(sonar, depth + 1);
@@ -227,7 +301,7 @@ public final class WorldWriter {
         Pose pose = object.pose();
         Point center = pose.center();
         if (!center.equals(new Point())) {
-            attribute("center", Decimal.of(center.x()) + " " + Decimal.of(center.y()) + " " + Decimal.of(center.z()));
+            attribute("center", text(center));
         }
         double heading = pose.heading();
         double lost = pose.lostHeading();

@@ -13,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -69,6 +70,49 @@ class ExampleProgramsTest {
                 .newDocumentBuilder()
                 .parse(file.toFile())
                 .getDocumentElement();
+    }
+
+    /** A run that was ended and continued, on another number of threads, writes the same files as one in one piece. */
+    @Test
+    void theDatasetIsTheSameInPieces(@TempDir Path folder) throws Exception {
+        Path whole = folder.resolve("whole");
+        Path pieces = folder.resolve("pieces");
+        assertThat(run("VisionDataset", "worlds/rooms.xml", whole.toString(), "3", "1"))
+                .contains("3 new frames of 3");
+        assertThat(run("VisionDataset", "worlds/rooms.xml", pieces.toString(), "1", "1"))
+                .contains("1 new frames of 1");
+        assertThat(run("VisionDataset", "worlds/rooms.xml", pieces.toString(), "3", "2"))
+                .contains("2 new frames of 3");
+        try (Stream<Path> files = Files.walk(whole)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                assertThat(pieces.resolve(whole.relativize(file))).hasSameBinaryContentAs(file);
+            }
+        }
+        Matcher box = Pattern.compile(
+                        "\"area\":(\\d+),\"bbox\":\\[(\\d+),(\\d+),(\\d+),(\\d+)],\"visible_fraction\":([\\d.E-]+),"
+                                + ".*\"counts\":\\[([^]]*)]")
+                .matcher(Files.readString(whole.resolve("coco.json")));
+        int hidden = 0;
+        int count = 0;
+        for (; box.find(); count++) {
+            int[] runs = Stream.of(box.group(7).split(", ", -1))
+                    .mapToInt(Integer::parseInt)
+                    .toArray();
+            assertThat(IntStream.of(runs).sum()).isEqualTo(320 * 240);
+            int inside = IntStream.range(0, runs.length / 2)
+                    .map(k -> runs[2 * k + 1])
+                    .sum();
+            assertThat(inside).isEqualTo(Integer.parseInt(box.group(1)));
+            int wide = Integer.parseInt(box.group(4));
+            int left = Integer.parseInt(box.group(2));
+            assertThat(runs[0] / 240).isEqualTo(left); // the first column with a pixel
+            assertThat(left + wide).isBetween(1, 320);
+            assertThat(inside).isBetween(1, wide * Integer.parseInt(box.group(5)));
+            double visible = Double.parseDouble(box.group(6));
+            assertThat(visible).isBetween(0.0, 1.0);
+            hidden += visible < 1 ? 1 : 0;
+        }
+        assertThat(hidden).isBetween(1, count);
     }
 
     /** Both find a path, and the pictures show the robot along it. */

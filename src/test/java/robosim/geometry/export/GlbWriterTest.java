@@ -11,12 +11,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.material.Color;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -24,6 +27,8 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.render.Light;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
@@ -99,6 +104,51 @@ class GlbWriterTest {
                 .contains("\"scale\":[1.0, 2.0, 3.0],\"mesh\":0}")
                 .contains("{\"name\":\"a \\\"world\\\" of \u00e9\",\"scale\":[0.01, 0.01, 0.01],\"children\":[0]}")
                 .contains("\"baseColorFactor\":[1.0, 0.0, 0.2158605");
+    }
+
+    /** Each light shines along the -Z of its node, turned by the node's rotation. */
+    @Test
+    void lightsShineWhereTheyDoInTheWorld() throws Exception {
+        List<Point> ways =
+                List.of(new Point(0, -1, 0), new Point(0, 0, 2), new Point(0, 0, -2), new Point(0.3, -0.5, 0.8));
+        Lighting lighting = Lighting.NONE;
+        for (Point way : ways) {
+            lighting = lighting.withLight(new Light.Sun(way, Color.WHITE, 0.5));
+        }
+        lighting = lighting.withLight(new Light.Lamp(
+                        new Point(1, 2, 3),
+                        Color.parse("#ff8000"),
+                        2,
+                        new Light.Falloff(10, 0.5, 0.25, 0.25),
+                        Light.Shadows.NONE))
+                .withLight(new Light.Spot(new Point(4, 5, 6), new Point(0, -1, 0), 90, Color.WHITE, 3));
+        Path file = written(world(Unit.CENTIMETRE).withLighting(lighting));
+        String json = json(Files.readAllBytes(file));
+        Matcher turned = Pattern.compile("\"name\":\"directional[^}]*?\"rotation\":\\[([^]]*)]")
+                .matcher(json);
+        for (Point way : ways) {
+            assertThat(turned.find()).isTrue();
+            double[] q = Stream.of(turned.group(1).split(", ", -1))
+                    .mapToDouble(Double::parseDouble)
+                    .toArray();
+            double length = Math.sqrt(way.x() * way.x() + way.y() * way.y() + way.z() * way.z());
+            // The third column of the matrix of a quaternion, with the other sign.
+            assertThat(-2 * (q[0] * q[2] + q[3] * q[1])).isCloseTo(way.x() / length, within(1e-12));
+            assertThat(-2 * (q[1] * q[2] - q[3] * q[0])).isCloseTo(way.y() / length, within(1e-12));
+            assertThat(2 * (q[0] * q[0] + q[1] * q[1]) - 1).isCloseTo(way.z() / length, within(1e-12));
+        }
+        assertThat(json)
+                .contains("{\"type\":\"directional\",\"color\":[1.0, 1.0, 1.0],\"intensity\":" + Math.PI / 2 + "}")
+                .contains("\"intensity\":" + Math.PI * 2 * (0.01 * 0.01) + ",\"range\":0.1}")
+                .contains("\"outerConeAngle\":" + Math.PI / 4)
+                .contains("\"translation\":[4.0, 5.0, 6.0],\"rotation\":");
+        validated(file);
+    }
+
+    @Test
+    void sceneryIsShown() throws IOException {
+        World world = world(null).withScenery(List.of(new BoxObject(new Point(1, 2, 3), 1, 1, 1)));
+        assertThat(json(Files.readAllBytes(written(world)))).contains("\"scenery 1\",\"translation\":[1.0, 2.0, 3.0]");
     }
 
     /** A thousand boxes are one shape. */

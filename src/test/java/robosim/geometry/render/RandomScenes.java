@@ -109,10 +109,16 @@ final class RandomScenes {
 
     Lighting lighting() {
         return new Lighting(
-                        new Sky(color(), color(), color(), next(0.1, 0.5)),
+                        new Sky(color(), color(), color(), next(0.1, 0.5)).withLight(next(0, 1) < 0.5 ? null : color()),
                         List.of(new Light.Sun(new Point(next(-1, 1), -1, next(-1, 1)), color(), next(0.3, 0.8))))
                 .withLight(new Light.Lamp(new Point(next(-5, 5), next(2.5, 4), next(-5, 5)), color(), next(1, 6)))
                 .withLight(new Light.Spot(
-                        new Point(next(-5, 5), 5, next(-5, 5)), new Point(0, -1, 0.1), next(40, 90), color(), 9));
+                        new Point(next(-5, 5), 5, next(-5, 5)), new Point(0, -1, 0.1), next(40, 90), color(), 9))
+                .withLight(new Light.Lamp(
+                        new Point(next(-3, 3), next(0.1, 1), next(-3, 3)),
+                        color(),
+                        next(0.2, 0.6),
+                        new Light.Falloff(next(2, 9), next(0, 1), next(0, 1), next(0.01, 1)),
+                        random.nextBoolean() ? Light.Shadows.NONE : Light.Shadows.HARD));
     }
 }

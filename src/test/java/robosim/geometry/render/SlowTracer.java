@@ -171,9 +171,12 @@ final class SlowTracer {
         V point = from.plus(way.times(hit.distance)).plus(n.times(AWAY));
         V color = m.texture() == null ? linear(m.color()) : texture(m.texture(), hit);
         V above = linear(sky.zenith()).plus(linear(sky.horizon())).times(0.5);
-        V around = above.times((1 + n.y) / 2)
-                .plus(linear(sky.ground()).times((1 - n.y) / 2))
-                .times(sky.strength());
+        V below = linear(sky.ground());
+        if (sky.light() != null) {
+            above = linear(sky.light());
+            below = above;
+        }
+        V around = above.times((1 + n.y) / 2).plus(below.times((1 - n.y) / 2)).times(sky.strength());
         V own = linear(m.emission()).plus(around.times(color).times(m.diffuse()));
         for (Light light : lighting.lights()) {
             own = own.plus(received(light, point, n, way, color, m));
@@ -196,7 +199,9 @@ final class SlowTracer {
             V toLight = V.of(place).minus(point);
             far = Math.sqrt(toLight.dot(toLight));
             to = toLight.unit();
-            arriving /= far * far;
+            Light.Falloff falloff = light instanceof Light.Lamp lamp ? lamp.falloff() : ((Light.Spot) light).falloff();
+            arriving /= falloff.constant() + far * (falloff.linear() + far * falloff.quadratic());
+            arriving = far > falloff.range() ? 0 : arriving;
         }
         if (light instanceof Light.Spot spot) {
             double angle = Math.toDegrees(Math.acos(Math.max(
@@ -211,7 +216,7 @@ final class SlowTracer {
         if (arriving <= 0) {
             return new V(0, 0, 0);
         }
-        Hit between = first(point, to);
+        Hit between = light.shadows() == Light.Shadows.NONE ? null : first(point, to);
         if (between != null && between.distance <= far) {
             return new V(0, 0, 0);
         }

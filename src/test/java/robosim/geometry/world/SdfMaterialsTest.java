@@ -144,4 +144,107 @@ class SdfMaterialsTest {
             }
         }
     }
+
+    private Path picture(String name) throws IOException {
+        Path file = folder.resolve(name);
+        Files.createDirectories(file.getParent());
+        try (OutputStream out = Files.newOutputStream(file)) {
+            PngWriter.writeColour(out, 2, 1, new int[] {0xff0000, 0x00ff00});
+        }
+        return file;
+    }
+
+    private static String metal(String inside) {
+        return "<material><diffuse>0.5 0.5 0.5 1</diffuse><pbr><metal>" + inside + "</metal></pbr></material>";
+    }
+
+    private static String shown(String shape, String material) {
+        return collision("c") + "<visual name=\"v\"><geometry>" + shape + "</geometry>" + material + "</visual>";
+    }
+
+    @Test
+    void aPictureOfColorsCoversAShapeOnce() throws IOException {
+        picture("textures/a.png");
+        String map = metal("<albedo_map>textures/a.png</albedo_map>");
+        double[][] tiles = {{3, 4}, {5, 4}, {3, 5}};
+        String[] boxes = {"3 4 0.1", "0.1 5 4", "3 0.1 5"}; // x y z of SDFormat
+        for (int k = 0; k < boxes.length; k++) {
+            ImageTexture seen = seen(shown("<box><size>" + boxes[k] + "</size></box>", map));
+            assertThat(seen.pixel(0, 0)).isEqualTo(0xff0000);
+            assertThat(new double[] {seen.tileWidth(), seen.tileHeight()}).containsExactly(tiles[k]);
+        }
+        ImageTexture ball = seen(shown("<sphere><radius>2</radius></sphere>", map));
+        assertThat(ball.tileWidth()).isEqualTo(4 * Math.PI);
+        assertThat(ball.tileHeight()).isEqualTo(2 * Math.PI);
+    }
+
+    private ImageTexture seen(String link) throws IOException {
+        return (ImageTexture) object(link).visuals().get(0).material().texture();
+    }
+
+    @Test
+    void aPictureOfColorsIsPlacedByTheCornersOfAMesh() throws IOException {
+        picture("textures/a.png");
+        Files.writeString(
+                folder.resolve("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
+        String mesh = "<mesh><uri>m.obj</uri></mesh>";
+        GeometryObject plain = object(shown(mesh, "")).visuals().get(0);
+        assertThat(((MeshObject) plain).textureCoordinates()).isNull();
+        GeometryObject seen = object(shown(mesh, metal("<albedo_map>textures/a.png</albedo_map>")))
+                .visuals()
+                .get(0);
+        assertThat(((MeshObject) seen).textureCoordinates()).isNotNull();
+    }
+
+    @Test
+    void metalIsAsRoughAsThatOfGltf() throws IOException {
+        Material made = object(shown(
+                        "<box><size>1 1 1</size></box>",
+                        metal("<roughness>0.25</roughness><metalness>0.8</metalness>")))
+                .visuals()
+                .get(0)
+                .material();
+        assertThat(made)
+                .isEqualTo(Material.of(new Color(0.5, 0.5, 0.5))
+                        .withShininess(2 / Math.pow(0.25, 4) - 2)
+                        .withMirror(0.8 * 0.75));
+        Material usual = object(shown("<box><size>1 1 1</size></box>", metal("")))
+                .visuals()
+                .get(0)
+                .material();
+        assertThat(usual).isEqualTo(Material.of(new Color(0.5, 0.5, 0.5)).withShininess(30));
+    }
+
+    @Test
+    void aMissingPictureIsToldAndThePlainColorSeen() throws IOException {
+        WorldImport read =
+                read(shown("<box><size>1 1 1</size></box>", metal("<albedo_map>gone.png</albedo_map>")), true);
+        assertThat(read.isWhole()).isTrue();
+        assertThat(read.world()
+                        .objects()
+                        .get(0)
+                        .object()
+                        .visuals()
+                        .get(0)
+                        .material()
+                        .color())
+                .isEqualTo(new Color(0.5, 0.5, 0.5));
+        assertThat(read.remarks())
+                .singleElement()
+                .asString()
+                .contains("1 visual is seen in a plain colour", "gone.png");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Gazebo/RedGlow, #ff0000, #ff0000",
+        "Gazebo/BlueTransparent, #0000ff, #000000",
+        "Gazebo/Red, #ff0000, #000000"
+    })
+    void scriptsThatGlowOrAreTransparent(String name, String color, String emission) throws IOException {
+        Material made = object(
+                        collision("c") + visual("v", "<material><script><name>" + name + "</name></script></material>"))
+                .material();
+        assertThat(made).isEqualTo(Material.of(Color.parse(color)).withEmission(Color.parse(emission)));
+    }
 }

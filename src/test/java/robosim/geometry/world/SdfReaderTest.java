@@ -323,10 +323,8 @@ class SdfReaderTest {
                         "5 <colision>: SDFormat has no <colision> in <world>; check the spelling",
                         "6 <custom:thing> \"y\": an extension of SDFormat of unknown meaning",
                         "9 <image> of m::l::c: this shape is not supported; use boxes, cylinders or a mesh");
-        assertThat(read.remarks())
-                .singleElement()
-                .asString()
-                .endsWith(":7: left out <include> of model://sun: it is a light");
+        assertThat(read.remarks()).isEmpty();
+        assertThat(read.world().light().lights()).hasSize(1);
         assertThat(read.read()).doesNotContainKey("actor").containsEntry("collision", 2);
     }
 
@@ -528,7 +526,7 @@ class SdfReaderTest {
                         folder + ": a folder must be a model's, with model.config; else name a file in it (got: none)");
     }
 
-    /** A robot of visuals alone is missing, which no other message says. */
+    /** A robot of visuals alone does not move, which no other message reports. */
     @Test
     void aMovingModelThatIsOnlySeenIsTold() throws IOException {
         String seen = "<link name='l'><visual name='v'>" + BALL + "</visual></link>";
@@ -540,6 +538,8 @@ class SdfReaderTest {
         assertThat(read.remarks())
                 .singleElement()
                 .asString()
-                .endsWith(": <model> \"ghost\" has visuals and no collisions, so it is not in the world");
+                .endsWith(": <model> \"ghost\" has visuals and no collisions, so it is scenery, which does not move");
+        assertThat(read.world().objects()).hasSize(1);
+        assertThat(read.world().scenery()).hasSize(2);
     }
 }

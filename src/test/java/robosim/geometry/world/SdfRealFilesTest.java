@@ -264,8 +264,8 @@ class SdfRealFilesTest {
         assertThat(read.isWhole()).isTrue();
         assertThat(read.remarks())
                 .satisfiesExactly(
-                        sun -> assertThat(sun).contains(":50: left out <include> of https://", "it is a light"),
                         ground -> assertThat(ground).contains(":46: <plane> of ground_plane", "infinite ground"));
+        assertThat(read.world().light().lights()).hasSize(1);
     }
 
     @Test

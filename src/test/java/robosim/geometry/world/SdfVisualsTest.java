@@ -1,6 +1,8 @@
 package robosim.geometry.world;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -186,5 +188,43 @@ class SdfVisualsTest {
     private static String mesh() {
         return "<sdf version=\"1.9\"><model name=\"m\"><static>true</static><link name=\"l\"><collision"
                 + " name=\"c\"><geometry><mesh><uri>two.dae</uri></mesh></geometry></collision></link></model></sdf>";
+    }
+
+    /** A model without collisions is seen where its poses put it, and is in the way of nothing. */
+    @Test
+    void visualsAloneAreScenery() throws IOException, WorldException {
+        String place = "<pose>2 0 1 0 0 1.5707963267948966</pose>";
+        for (String isStatic : List.of("true", "false")) {
+            Path file = folder.resolve("s.sdf");
+            Files.writeString(
+                    file,
+                    "<sdf version=\"1.9\"><world name=\"w\"><model name=\"box\"><static>1</static><link name=\"l\"><collision"
+                            + " name=\"c\"><geometry><box><size>1 1 1</size></box></geometry></collision></link></model>"
+                            + "<model name=\"m\"><static>" + isStatic + "</static>" + place + "<link name=\"l\">" + BALL
+                            + "</link></model></world></sdf>");
+            World world = WorldImport.read(file, ImportOptions.DEFAULT).world();
+            assertThat(world.objects()).hasSize(1);
+            GeometryObject ball = world.scenery().get(0);
+            assertThat(world.scenery()).hasSize(1);
+            assertThat(ball.bounds().minX()).isCloseTo(1.75, within());
+            assertThat(ball.bounds().maxY()).isCloseTo(1.25, within());
+            assertThat(ball.bounds().minZ()).isCloseTo(-1.25, within());
+            assertThat(world.toGeometry().objects()).hasSize(1);
+            String text = WorldWriter.toXml(world);
+            assertThat(text).contains("<scenery>");
+            World read = WorldReader.read(new ByteArrayInputStream(text.getBytes(UTF_8)), "s.xml", null);
+            assertThat(read).isEqualTo(world);
+            assertThat(read.withScenery(List.of())).isNotEqualTo(world);
+        }
+    }
+
+    @Test
+    void sceneryIsStaticAndHasNoName() {
+        BoxObject box = new BoxObject(new Point(), 1, 1, 1);
+        for (GeometryObject wrong : List.of(box.named("a"), box.moveable("a"), box.withVisuals(List.of()))) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new World(9, 9, 9, List.of()).withScenery(List.of(wrong)))
+                    .withMessageStartingWith("scenery must be static");
+        }
     }
 }

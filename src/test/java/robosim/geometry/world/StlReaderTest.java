@@ -13,6 +13,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -23,8 +24,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
+import robosim.geometry.material.Texture;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.mesh.StlSurface;
 
 class StlReaderTest {
     private static final String FACET =
@@ -254,5 +259,56 @@ class StlReaderTest {
         assertThatThrownBy(() -> read(bytes("stl_empty_bin.stl")))
                 .isInstanceOf(WorldException.class)
                 .hasMessage("t.stl: an STL file must have at least one triangle (got: none)");
+    }
+
+    /** A binary file of triangles with the two bytes that are for each. */
+    private static byte[] colored(String header, int... codes) {
+        ByteBuffer file = ByteBuffer.allocate(84 + 50 * codes.length).order(ByteOrder.LITTLE_ENDIAN);
+        file.put(header.getBytes(StandardCharsets.ISO_8859_1)).position(80);
+        file.putInt(codes.length);
+        for (int k = 0; k < codes.length; k++) {
+            file.position(84 + 50 * k + 12);
+            for (float number : new float[] {k, 0, 0, k + 1, 0, 0, k, 1, 0}) {
+                file.putFloat(number);
+            }
+            file.putShort((short) codes[k]);
+        }
+        return file.array();
+    }
+
+    private static List<String> colors(byte[] file) throws Exception {
+        MeshObject mesh = StlSurface.read(new ByteArrayInputStream(file), "c.stl", 1);
+        Texture texture = mesh.material().texture();
+        List<String> colors = new ArrayList<>();
+        for (int k = 0; k < mesh.faces().length; k++) {
+            if (texture instanceof ImageTexture image) {
+                double u = mesh.triangles().textured(k, 0, 0);
+                double v = mesh.triangles().textured(k, 0, 1);
+                colors.add(String.format(
+                        "#%06x", image.pixel((int) (u * image.width()), (int) ((1 - v) * image.height()))));
+            } else {
+                colors.add(
+                        mesh.material().isDefault()
+                                ? ""
+                                : mesh.material().color().toString());
+            }
+        }
+        return colors;
+    }
+
+    @Test
+    void binaryFilesMayHaveColors() throws Exception {
+        int red = 31 << 10;
+        int blue = 31;
+        int marked = 0x8000;
+        String none = Material.DEFAULT.color().toString();
+        assertThat(colors(colored("plain", 0, 0))).containsExactly("", "");
+        assertThat(colors(colored("plain", red, blue))).containsExactly("", ""); // not marked, so not colours
+        assertThat(colors(colored("plain", marked | red, marked | blue))).containsExactly("#ff0000", "#0000ff");
+        assertThat(colors(colored("plain", marked | red, 0))).containsExactly("#ff0000", none);
+        String magics = "COLOR=\u0010\u0080\u00c0\u00ff";
+        assertThat(colors(colored(magics, 0, 0))).containsExactly("#1080c0", "#1080c0");
+        assertThat(colors(colored(magics, red, marked))).containsExactly("#0000ff", "#1080c0");
+        assertThat(colors(colored("x".repeat(72) + "COLOR=", marked | red))).containsExactly("#ff0000"); // cut off
     }
 }

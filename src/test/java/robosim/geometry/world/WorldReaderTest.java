@@ -149,8 +149,8 @@ class WorldReaderTest {
             delimiter = '|',
             quoteCharacter = '~',
             value = {
-                "<bo/>|2|6|<bo> is not allowed in <world>; allowed here: <material>, <box>, <cylinder>, <sphere>, <capsule>, <mesh>, <group>",
-                "<sonar count='1'/>|2|19|<sonar> is not allowed in <world>; allowed here: <material>, <box>",
+                "<bo/>|2|6|<bo> is not allowed in <world>; allowed here: <material>, <lighting>, <scenery>, <box>, <cylinder>, <sphere>, <capsule>, <mesh>, <group>",
+                "<sonar count='1'/>|2|19|<sonar> is not allowed in <world>; allowed here: <material>, <lighting>, <scenery>, <box>",
                 "<box xmlns='other'/>|2|21|<box> of the namespace \"other\" is not allowed",
                 "<box width='1' height='1' length='1'>~~<box width='1' height='1' length='1'/></box>|3|39|"
                         + "<box> is not allowed in <box>; allowed here: <visual>",

@@ -69,8 +69,9 @@ public final class CameraOptions {
     @Option(
             names = "--sky-rays",
             paramLabel = "N",
-            description = "rays for each pixel that look for the sky, for soft shadows; 0 for none (default:"
-                    + " ${DEFAULT-VALUE})")
+            description =
+                    "rays for each pixel that look for the sky, for soft shadows and indirect light; 0 for none (default:"
+                            + " ${DEFAULT-VALUE})")
     private int skyRays = 1;
 
     @Option(
@@ -225,9 +226,10 @@ public final class CameraOptions {
     }
 
     private ColorCamera lit(ColorCamera camera, CameraWorld studio) {
-        return camera.withSmoothEdges(samples)
+        return camera.withLighting(studio.light())
+                .withSmoothEdges(samples)
                 .withMirrors(mirrors)
-                .withSmoothSky(skyRays, studio.skyReach())
+                .withIndirectLight(skyRays, studio.skyReach())
                 .withThreads(Runtime.getRuntime().availableProcessors());
     }
 

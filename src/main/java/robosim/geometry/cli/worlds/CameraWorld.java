@@ -22,6 +22,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.render.ColorCamera;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.shared.Floor;
@@ -92,6 +93,7 @@ final class CameraWorld {
                 numbers.put(seen, numbers.size() + 1);
             }
         }
+        world.scenery().forEach(geometry::addObjectUnchecked);
         if (!isLaid) {
             geometry.addObjectUnchecked(laid(ground, most));
         }
@@ -197,6 +199,11 @@ final class CameraWorld {
         double z = content.maxZ() - content.minZ();
         double most = Math.max(x, z) / 8;
         return most > 0 ? most : 1;
+    }
+
+    /** The light of the world. */
+    Lighting light() {
+        return world.light();
     }
 
     /** The object of a name; null if there is none. */

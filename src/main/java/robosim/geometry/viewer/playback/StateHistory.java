@@ -11,6 +11,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 
 /**
  * The state history of a conversation: frames by number, from 0, and the world at any of them without replaying from
@@ -46,8 +47,10 @@ public final class StateHistory {
     public static StateHistory of(World world) {
         Map<String, List<Scene.Ping>> heard = WorldSonars.of(world).measure(world.toGeometry(outside -> {}));
         StateHistory film = new StateHistory();
-        film.append(new Frame(
-                Frame.Setting.of(world), Map.of(), List.of(), heard, Pictures.contents(world), List.of(), null));
+        List<WorldObject> shown = new ArrayList<>(world.objects());
+        world.scenery().forEach(each -> shown.add(new WorldObject(each)));
+        Frame.Setting setting = Frame.Setting.of(world.withObjects(shown));
+        film.append(new Frame(setting, Map.of(), List.of(), heard, Pictures.contents(world), List.of(), null));
         return film;
     }
 

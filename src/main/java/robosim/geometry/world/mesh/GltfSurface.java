@@ -362,12 +362,8 @@ final class GltfSurface {
     private Material material(Material material, GltfPart surface) throws FileProblem {
         double rough = share(surface.number("roughnessFactor", 1));
         double metal = share(surface.number("metallicFactor", 1));
-        // The highlight that is as wide: the square of the roughness is the square root of 2 / (n + 2).
-        double exponent = rough > 0 ? 2 / (rough * rough * rough * rough) - 2 : Material.MOST_SHININESS;
-        Material made = material.withColor(color(surface.numbers("baseColorFactor", 1, 1, 1, 1)))
-                .withShininess(Math.min(Math.max(1, exponent), Material.MOST_SHININESS))
-                .withMirror(metal * (1 - rough));
-        made = rough >= 1 ? made.withSpecular(0) : made;
+        Material made = MeshFiles.rough(
+                material.withColor(color(surface.numbers("baseColorFactor", 1, 1, 1, 1))), rough, metal);
         GltfPart texture = surface.child("baseColorTexture");
         if (texture == null) {
             return made;

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.ImageTexture;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileKind;
@@ -171,6 +172,15 @@ public final class MeshFiles {
         } catch (IOException e) {
             throw FileProblem.unreadable(file, e);
         }
+    }
+
+    /** A material as rough and as metallic: its highlight, and how much of a mirror it is. Both are from 0 to 1. */
+    public static Material rough(Material material, double rough, double metal) {
+        // The highlight that is as wide: the square of the roughness is the square root of 2 / (n + 2).
+        double exponent = rough > 0 ? 2 / (rough * rough * rough * rough) - 2 : Material.MOST_SHININESS;
+        Material made = material.withShininess(Math.min(Math.max(1, exponent), Material.MOST_SHININESS))
+                .withMirror(metal * (1 - rough));
+        return rough >= 1 ? made.withSpecular(0) : made;
     }
 
     public static void checkScale(double scale) {

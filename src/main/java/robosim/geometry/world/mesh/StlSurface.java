@@ -4,11 +4,16 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.material.Color;
+import robosim.geometry.material.Material;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.AsciiScanner;
@@ -21,6 +26,7 @@ import robosim.geometry.world.shared.PlainBytes;
 public final class StlSurface {
     private static final int HEADER = 84;
     private static final int TRIANGLE = 50;
+    private static final String MAGICS = "COLOR=";
 
     private final double scale;
     private final Map<Point, Integer> indices = new HashMap<>();
@@ -69,7 +75,7 @@ public final class StlSurface {
                                 ? "an STL file must have at least one triangle (got: none)"
                                 : "there is no solid of this name with a triangle (got: " + part + ")");
             }
-            return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
+            return reader.mesh(isBinary ? colors(bytes) : List.of());
         } catch (IllegalArgumentException e) {
             throw new FileProblem(source, String.valueOf(e.getMessage()), e);
         }
@@ -124,6 +130,53 @@ public final class StlSurface {
             }
             faces.add(face);
         }
+    }
+
+    private MeshObject mesh(List<String> colors) throws FileProblem {
+        if (colors.isEmpty()) {
+            return new MeshObject(vertices, faces.toArray(int[][]::new));
+        }
+        JoinedFaces joined = new JoinedFaces();
+        joined.add(
+                new JoinedFaces.Part(vertices, faces, List.of(), new double[0], colors),
+                AffineTransform.NONE,
+                name -> name);
+        return joined.mesh(name -> name.isEmpty() ? Material.DEFAULT : Material.of(Color.parse(name)));
+    }
+
+    /**
+     * The colours of the triangles of a binary file, empty for a triangle without; no list if there are none. Two bytes of
+     * a triangle have 5 bits for each component. In a file of Magics, whose header has {@code COLOR=} and the colour of all, red is
+     * the lowest, and the highest bit marks a triangle of that colour; in any other red is the highest, and the highest bit
+     * marks a triangle that has a colour.
+     */
+    private static List<String> colors(byte[] bytes) {
+        ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        int at = new String(bytes, 0, HEADER - 4, StandardCharsets.ISO_8859_1).indexOf(MAGICS) + MAGICS.length();
+        boolean isMagics = at >= MAGICS.length() && at + 3 <= HEADER - 4;
+        String whole = isMagics ? hex(bytes[at], bytes[at + 1], bytes[at + 2]) : "";
+        int count = (bytes.length - HEADER) / TRIANGLE;
+        List<String> colors = new ArrayList<>(count);
+        boolean hasOwn = false;
+        for (int k = 0; k < count; k++) {
+            int code = numbers.getShort(HEADER + TRIANGLE * (k + 1) - 2);
+            boolean isOwn = isMagics == ((code & 0x8000) == 0);
+            hasOwn |= isOwn && code != 0;
+            int low = level(code);
+            int high = level(code >> 10);
+            colors.add(!isOwn ? whole : hex(isMagics ? low : high, level(code >> 5), isMagics ? high : low));
+        }
+        // All zeros are no colours, but what a program writes that knows of none.
+        return hasOwn ? colors : isMagics ? Collections.nCopies(count, whole) : List.of();
+    }
+
+    /** Five bits as eight. */
+    private static int level(int code) {
+        return Math.round((code & 31) * 255f / 31);
+    }
+
+    private static String hex(int red, int green, int blue) {
+        return String.format(Locale.ROOT, "#%02x%02x%02x", red & 0xff, green & 0xff, blue & 0xff);
     }
 
     private void text(AsciiScanner words) throws FileProblem {

@@ -4,12 +4,21 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.material.Color;
 import robosim.geometry.material.Material;
+import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Numbers;
 
-/** The materials of SDFormat's visuals, for the collisions beside them: diffuse, specular and emissive colour, shininess. */
+/**
+ * The materials of SDFormat's visuals, and of the collisions beside them: diffuse, specular and emissive colour, shininess; of
+ * physically based ones the roughness, the metalness and, where they are seen, the picture of the colours.
+ */
 final class SdfMaterials {
     private static final String GAZEBO = "Gazebo/";
+
+    private static final String GLOW = "Glow";
+
+    /** That of a metal which does not say. */
+    private static final double ROUGHNESS = 0.5;
 
     /** The diffuse colours of scripts of Gazebo, by their names; of those with a picture, a colour like it. */
     private static final Map<String, String> COLORS = Map.ofEntries(
@@ -65,24 +74,40 @@ final class SdfMaterials {
         return found == null ? null : read(found);
     }
 
-    /** What a visual is made of; null if it does not say so. */
+    /** What a visual is made of, but for its picture; null if it does not say so. */
     static @Nullable Material ofVisual(SdfElement visual) throws FileProblem {
         SdfElement material = visual.child("material");
         return material == null || material.children.isEmpty() ? null : read(material);
     }
 
-    /** A colour by the name of one of Gazebo's scripts; null for others. */
-    private static @Nullable Color ofScript(SdfElement script) {
+    /** The picture of the colours of a visual; null if it has none. */
+    static @Nullable SdfElement picture(SdfElement visual) {
+        SdfElement metal = metal(visual.child("material"));
+        SdfElement map = metal == null ? null : metal.child("albedo_map");
+        return map == null || map.value().isEmpty() ? null : map;
+    }
+
+    private static @Nullable SdfElement metal(@Nullable SdfElement material) {
+        SdfElement physical = material == null ? null : material.child("pbr");
+        return physical == null ? null : physical.child("metal");
+    }
+
+    /** A material by the name of one of Gazebo's scripts, which may glow; the default for others. */
+    private static Material ofScript(SdfElement script) {
         String name = script.valueOf("name");
-        String color = name.startsWith(GAZEBO) ? COLORS.get(name.substring(GAZEBO.length())) : null;
-        return color == null ? null : Color.parse(color);
+        String plain = name.startsWith(GAZEBO) ? name.substring(GAZEBO.length()) : "";
+        boolean isGlowing = plain.endsWith(GLOW);
+        String color = COLORS.get(plain.replaceFirst("(" + GLOW + "|Transparent)$", ""));
+        if (color == null) {
+            return Material.DEFAULT;
+        }
+        Material made = Material.DEFAULT.withColor(Color.parse(color));
+        return isGlowing ? made.withEmission(Color.parse(color)) : made;
     }
 
     private static Material read(SdfElement element) throws FileProblem {
-        Material material = Material.DEFAULT;
         SdfElement script = element.child("script");
-        Color named = script == null ? null : ofScript(script);
-        material = named == null ? material : material.withColor(named);
+        Material material = script == null ? Material.DEFAULT : ofScript(script);
         SdfElement diffuse = element.child("diffuse");
         if (diffuse != null) {
             material = material.withColor(color(diffuse));
@@ -97,14 +122,25 @@ final class SdfMaterials {
             double exponent = shininess.numbers(1)[0];
             material = material.withShininess(Math.min(Math.max(1, exponent), Material.MOST_SHININESS));
         }
+        SdfElement metal = metal(element);
+        if (metal != null) {
+            double rough = metal.child("roughness") == null ? ROUGHNESS : metal.number("roughness");
+            double metallic = metal.child("metalness") == null ? 0 : metal.number("metalness");
+            material = MeshFiles.rough(material, share(rough), share(metallic));
+        }
         SdfElement emissive = element.child("emissive");
         return emissive == null ? material : material.withEmission(color(emissive));
     }
 
     /** Red, green and blue, and opacity, which is ignored; what is brighter than white is white. */
-    private static Color color(SdfElement element) throws FileProblem {
-        double[] shares = element.numbers(Numbers.words(element.value()).length == 3 ? 3 : 4);
+    static Color color(SdfElement element) throws FileProblem {
+        double[] shares = shares(element);
         return new Color(share(shares[0]), share(shares[1]), share(shares[2]));
+    }
+
+    /** Red, green and blue, and perhaps a fourth number. */
+    static double[] shares(SdfElement element) throws FileProblem {
+        return element.numbers(Numbers.words(element.value()).length == 3 ? 3 : 4);
     }
 
     private static double share(double number) {

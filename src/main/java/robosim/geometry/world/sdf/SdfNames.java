@@ -6,7 +6,7 @@ import robosim.geometry.world.xml.ChildNames;
 
 /**
  * The relevant elements of SDFormat up to 1.12: which are read, which are irrelevant to solid geometry, and which are
- * relevant but not supported. Visuals are read, and count as irrelevant to what is solid nevertheless.
+ * relevant but not supported. Visuals, lights and scenes are read, and count as irrelevant to what is solid nevertheless.
  */
 public final class SdfNames {
     /** Names here of the models, links and names within a state, which are others than those of a world. */
@@ -15,14 +15,17 @@ public final class SdfNames {
     private static final String LINK_STATE = "link_state";
     private static final String DELETED = "deleted";
 
+    /** How far a light reaches, which is another range than that of a sensor. */
+    static final String LIGHT_RANGE = "light_range";
+
     /** Of a world, without effect on anything solid; also in a model, where they have none at all. */
     private static final Set<String> OF_WORLDS = ChildNames.words(
             "atmosphere audio gravity gui joint light magnetic_field physics plugin road scene spherical_coordinates wind");
 
     /** By element, the children that are read. */
     private static final ChildNames READ = new ChildNames("""
-            sdf: world model
-            world: model include frame state
+            sdf: world model light
+            world: model include frame state light scene
             state: model_state insertions deletions
             insertions: model
             deletions: deleted
@@ -30,7 +33,11 @@ public final class SdfNames {
             link_state frame: pose
             model: model include link frame joint pose static
             include: uri name pose static placement_frame
-            link: pose collision visual sensor
+            link: pose collision visual sensor light
+            light: pose diffuse intensity direction attenuation spot cast_shadows light_on
+            attenuation: light_range constant linear quadratic
+            spot: outer_angle
+            scene: ambient background shadows sky
             sensor: pose update_rate lidar ray camera
             lidar ray: scan range noise
             scan: horizontal vertical
@@ -45,7 +52,9 @@ public final class SdfNames {
             clip: near far
             noise: type mean stddev bias_mean bias_stddev precision dynamic_bias_stddev dynamic_bias_correlation_time
             visual: pose geometry material
-            material: diffuse emissive shininess specular script
+            material: diffuse emissive shininess specular script pbr
+            pbr: metal
+            metal: albedo_map metalness roughness
             script: name
             collision: pose geometry
             joint: pose child
@@ -66,7 +75,7 @@ public final class SdfNames {
             sdf: light plugin
             state insertions deletions model_state link_state:
             sensor lidar ray scan horizontal vertical range camera clip lens intrinsics projection distortion noise:
-            visual material script joint empty heightmap image:
+            visual material pbr metal script joint empty heightmap image light attenuation spot scene sky:
             model: allow_auto_disable enable_wind gripper plugin self_collide
             include: namespace plugin
             link: audio_sink audio_source battery enable_wind frame gravity inertial kinematic light must_be_base_link
@@ -86,6 +95,9 @@ public final class SdfNames {
         if (isInState && child.equals("link")) {
             return LINK_STATE;
         }
+        if (parent.equals("attenuation") && child.equals("range")) {
+            return LIGHT_RANGE;
+        }
         return parent.equals("deletions") && child.equals("name") ? DELETED : child;
     }
 
@@ -96,10 +108,19 @@ public final class SdfNames {
     /** Whether an element may have any number of these children; of all others it has at most one. */
     static boolean isRepeated(String child) {
         return switch (child) {
-            case "world", "model", "include", "link", "frame", "joint", "collision", "visual", "point", "sensor" ->
-                true;
+            case "world",
+                    "model",
+                    "include",
+                    "link",
+                    "frame",
+                    "joint",
+                    "collision",
+                    "visual",
+                    "point",
+                    "sensor",
+                    "light" -> true;
             case "state", MODEL_STATE, LINK_STATE, DELETED -> true;
-            case "material", "script", "diffuse", "emissive", "shininess", "specular" ->
+            case "material", "script", "diffuse", "emissive", "shininess", "specular", "pbr", "metal" ->
                 true; // harmless: the first one counts
             default -> false;
         };

@@ -13,6 +13,7 @@ import robosim.geometry.material.Material;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
+import robosim.geometry.render.Lighting;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.FileWork;
 import robosim.geometry.world.shared.LimitProblem;
@@ -27,6 +28,8 @@ public final class SdfObjects {
     private final SdfTree tree;
     private final SdfShapes shapes;
     private final SdfVisuals visuals;
+    private final List<GeometryObject> scenery = new ArrayList<>();
+    private final SdfLights lights = new SdfLights();
     private final List<GeometryObject> objects = new ArrayList<>();
     private final Set<String> names = new HashSet<>();
     private final Map<String, Integer> namesakes = new HashMap<>();
@@ -74,6 +77,16 @@ public final class SdfObjects {
         return sensors;
     }
 
+    /** What is only seen: the visuals of models without collisions. */
+    public List<GeometryObject> scenery() {
+        return scenery;
+    }
+
+    /** The light of the world; null if the file says nothing of it. */
+    public @Nullable Lighting lighting() {
+        return lights.lighting();
+    }
+
     public Map<String, Integer> counts() {
         return counts;
     }
@@ -81,11 +94,19 @@ public final class SdfObjects {
     public List<String> remarks() {
         List<String> all = new ArrayList<>(remarks);
         visuals.remark(all);
+        lights.remark(all);
         return all;
     }
 
     /** Adds everything in a world. */
     public void add(SdfScope world) throws FileProblem {
+        SdfElement scene = world.scene;
+        if (scene != null) {
+            lights.scene(scene);
+        }
+        for (SdfNode light : world.lights) {
+            lights.add(light.element, () -> world.placement(light));
+        }
         for (SdfNode model : world.models) {
             Placement place = world.placement(model);
             if (model.isStatic || model.inner == null) {
@@ -103,7 +124,10 @@ public final class SdfObjects {
         if (body.members.isEmpty() || first == null) {
             if (isOnlySeen(inner)) {
                 remarks.add(model.element.file.shown() + ":" + model.element.line + ": " + model.element.tag()
-                        + " has visuals and no collisions, so it is not in the world");
+                        + " has visuals and no collisions, so it is scenery, which does not move");
+            }
+            for (GeometryObject seen : body.visuals) {
+                scenery.add(seen.at(place.then(Placement.of(seen.pose())).pose()));
             }
             for (Carried each : body.sensors) {
                 sensors.add(SensorElement.of(each.path, each.element, null, each.inWorld.pose()));
@@ -194,6 +218,9 @@ public final class SdfObjects {
                     }
                 });
             }
+            for (SdfElement light : children(link, "light")) {
+                lights.add(light, () -> inWorld.then(local(scope, link, light)));
+            }
             for (SdfElement sensor : sensors(link)) {
                 leaveOutMistakes(sensor, () -> {
                     Placement local = local(scope, link, sensor);
@@ -240,6 +267,9 @@ public final class SdfObjects {
                     seen.add(look);
                 }
             }
+            for (SdfElement light : children(link, "light")) {
+                lights.add(light, () -> inWorld.then(local(scope, link, light)));
+            }
             for (SdfElement sensor : sensors(link)) {
                 leaveOutMistakes(sensor, () -> {
                     Pose pose = inWorld.then(local(scope, link, sensor)).pose();
@@ -268,9 +298,11 @@ public final class SdfObjects {
         }
     }
 
-    /** Lets the first object of a static model be seen as all visuals of the model, and the others not at all. */
-    private static void show(
-            Map<SdfElement, GeometryObject> found, Set<SdfElement> grounds, List<GeometryObject> seen) {
+    /**
+     * Lets the first object of a static model be seen as all visuals of the model, and the others not at all; where there is
+     * nothing but ground, the visuals are scenery.
+     */
+    private void show(Map<SdfElement, GeometryObject> found, Set<SdfElement> grounds, List<GeometryObject> seen) {
         List<GeometryObject> left = seen;
         for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
             if (!grounds.contains(each.getKey())) {
@@ -278,6 +310,7 @@ public final class SdfObjects {
                 left = List.of();
             }
         }
+        scenery.addAll(left);
     }
 
     private void addFloor(GeometryObject floor, String path, SdfElement collision) throws FileProblem {

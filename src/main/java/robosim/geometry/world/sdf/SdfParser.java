@@ -27,6 +27,7 @@ public final class SdfParser extends XmlHandler {
             sampling point height center scale diffuse emissive shininess specular
             update_rate samples resolution min_angle max_angle min max near far horizontal_fov width
             type mean stddev bias_mean fx fy cx cy s p_fx p_fy p_cx p_cy tx ty k1 k2 k3 p1 p2
+            albedo_map metalness roughness intensity direction cast_shadows light_on constant linear quadratic light_range outer_angle ambient background shadows
             bias_stddev precision dynamic_bias_stddev dynamic_bias_correlation_time
             """);
 

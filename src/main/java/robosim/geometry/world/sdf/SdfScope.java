@@ -27,6 +27,13 @@ public final class SdfScope {
     final List<SdfNode> models = new ArrayList<>();
     final List<SdfNode> links = new ArrayList<>();
 
+    /** The lights of a world that are in none of its links. */
+    final List<SdfNode> lights = new ArrayList<>();
+
+    /** The {@code <scene>} of a world. */
+    @Nullable
+    SdfElement scene;
+
     private final Map<String, SdfNode> nodes = new HashMap<>();
 
     SdfScope(String path) {

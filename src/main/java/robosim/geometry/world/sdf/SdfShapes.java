@@ -39,10 +39,10 @@ public final class SdfShapes {
     private final Map<Scaled, MeshObject> meshes;
     private long vertices;
 
-    /** A part of a file by its name; all of it if that is empty. */
-    private record Part(Path file, String name) {}
+    /** A part of a file by its name, all of it if that is empty; for a picture that the file does not name, perhaps. */
+    private record Part(Path file, String name, boolean isPictured) {}
 
-    private record Scaled(Path file, String part, boolean isCentred, Point scale) {}
+    private record Scaled(Part part, boolean isCentred, Point scale) {}
 
     public SdfShapes(SdfTree tree, SdfFiles files) {
         this(tree, files, new HashMap<>(), new HashMap<>());
@@ -53,6 +53,10 @@ public final class SdfShapes {
         this.files = files;
         this.surfaces = surfaces;
         this.meshes = meshes;
+    }
+
+    SdfFiles files() {
+        return files;
     }
 
     /** The same meshes for shapes that are only seen, of which nobody needs to know what they are made of here. */
@@ -98,7 +102,7 @@ public final class SdfShapes {
                             new Point(), shape.number("radius") * Math.max(size.z(), Math.max(size.x(), size.y())));
                 case "cylinder" -> cylinder(shape, size);
                 case "capsule" -> capsule(shape);
-                case "mesh" -> mesh(shape, owner, size);
+                case "mesh" -> mesh(shape, owner, size, SdfMaterials.picture(collision) != null);
                 case "plane" -> plane(shape, owner, place);
                 case "heightmap" -> heightmap(shape, owner);
                 case "empty" -> null;
@@ -258,7 +262,9 @@ public final class SdfShapes {
         }
     }
 
-    private @Nullable GeometryObject mesh(SdfElement shape, String owner, Point size) throws FileProblem {
+    /** @param isPictured whether it may be seen with a picture that its file does not name */
+    private @Nullable GeometryObject mesh(SdfElement shape, String owner, Point size, boolean isPictured)
+            throws FileProblem {
         SdfElement uri = shape.required("uri");
         String name = uri.value();
         SdfElement submesh = shape.child("submesh");
@@ -278,10 +284,10 @@ public final class SdfShapes {
         Point scale = new Point(own.x() * size.x(), own.y() * size.y(), own.z() * size.z());
         String center = submesh == null ? "" : submesh.valueOf("center");
         boolean isCentred = !center.isEmpty() && SdfElement.isTrue(shape, "<center>", center);
-        Scaled key = new Scaled(file, part, isCentred, scale);
+        Scaled key = new Scaled(new Part(file, part, isPictured), isCentred, scale);
         MeshObject known = meshes.get(key);
         if (known == null) {
-            MeshObject surface = surface(uri, new Part(file, part));
+            MeshObject surface = surface(uri, key.part);
             known = scaled(isCentred ? centred(surface) : surface, scale, uri);
             meshes.put(key, known);
         }
@@ -300,7 +306,7 @@ public final class SdfShapes {
             } else {
                 known = MeshFiles.read(file, 1, files.textures());
             }
-            known = MeshFiles.trimmed(known);
+            known = key.isPictured ? known : MeshFiles.trimmed(known);
             surfaces.put(key, known);
         }
         return known;

@@ -208,6 +208,8 @@ public final class SdfTree {
             case "link" -> link(scope, child, home);
             case "frame" -> frame(scope, child, child.attribute("attached_to"), home);
             case "joint" -> joint(scope, child, home);
+            case "light" -> scope.lights.add(new SdfNode(child, child.child("pose"), "", home));
+            case "scene" -> scope.scene = child;
             default -> {} // pose and static are the model's own
         }
     }
@@ -294,8 +296,7 @@ public final class SdfTree {
                 return;
             }
             if (model.equals(SUN)) {
-                remarks.add(new LeftOut(include.file.shown(), include.line, "<include> of " + address, "it is a light")
-                        .toString());
+                scope.lights.add(new SdfNode(SdfLights.sun(include), include.child("pose"), "", home));
                 return;
             }
             if (SdfFiles.isRemote(address)) {
@@ -309,6 +310,13 @@ public final class SdfTree {
         }
         try {
             account(root);
+            if (!root.children.isEmpty() && root.children.stream().allMatch(each -> each.name.equals("light"))) {
+                for (SdfElement light : root.children) {
+                    SdfElement own = include.child("pose");
+                    scope.lights.add(new SdfNode(light, own == null ? light.child("pose") : own, "", home));
+                }
+                return;
+            }
             SdfElement model = theModel(root, uri);
             if (model != null) {
                 included(scope, include, model, home);
