@@ -866,7 +866,7 @@ public final class Motion {
     /** Whether an object is met on the way, or by the end as it is stored. */
     private boolean blocks(int other) {
         if (!segment.isRigid()) {
-            return timeOfImpact(other) != Double.POSITIVE_INFINITY || endsOn(other);
+            return enclosure.isMet(view, other, box) || endsThere(other);
         }
         return isMeshPair(other) ? endsThere(other) || isMet(other) : isMet(other) || endsThere(other);
     }
