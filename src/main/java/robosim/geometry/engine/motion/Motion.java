@@ -804,7 +804,8 @@ public final class Motion {
                 continue;
             }
             int other = candidates.id(k);
-            double met = impactOrEnd(other);
+            // Where there is one candidate, it has just been looked at.
+            double met = candidates.count() == 1 ? impacts[0] : impactOrEnd(other);
             double touching = backOff(other, Math.min(met, MOST));
             double free = usable(other, touching);
             stop.note(other, touching, leastTouching);
@@ -902,10 +903,14 @@ public final class Motion {
         LeafTable of = view.table(other);
         int first = of.first(other);
         double least = Double.POSITIVE_INFINITY;
+        boolean isSeveral = atStart.size() > 1 || of.count(other) > 1;
         for (int j = first; j < first + of.count(other); j++) {
             int near = segment.near(of.leaves(), j, 0);
             for (int k = 0; k < near; k++) {
                 int i = segment.near(k);
+                if (isSeveral && segment.comesLater(i, of.leaves(), j, least)) {
+                    continue;
+                }
                 boolean isOnFloor = hasPieces(of, other, i, j) && stands(); // whose planes spare most of a sweep
                 double free = isOnFloor
                         ? segment.sweep.free(atStart, i, of.leaves(), j, standing)
