@@ -115,45 +115,23 @@ class OneAnswerTest {
     /** Far from the origin an enclosure is rounded outward by more: what a level's sweep allows, its test finds apart. */
     @Test
     void aMoveAllowedEndsApart() {
-        GeometryObject still = new BoxObject(new Point(), 3, 2, 2)
-                .movedTo(new Point(-5.241217107642613, 1.2675369665955019, 4.7610313798160915))
-                .oriented(new double[] {
-                    -0.3298755941263941,
-                    -0.7284560759810683,
-                    -0.6004447000066057,
-                    -0.6355966182758709,
-                    0.6416669050775271,
-                    -0.4292790721250043,
-                    0.6979964407044175,
-                    0.24003193182260538,
-                    -0.6746744699997717
-                })
+        // Their sides in the direction x + z, which the move does not change, are as far apart as rounding.
+        GeometryObject still = new BoxObject(new Point(4.75, 0, -3.3357864376264375), 1, 1, 1)
+                .turned(0, 45)
                 .named("still");
-        GeometryObject mover = new BoxObject(new Point(), 1, 3, 2)
-                .movedTo(new Point(-2.4375261827725025, -2, 4.9250278193290296))
-                .oriented(new double[] {
-                    0.6803639193457933,
-                    0.7219427988645383,
-                    0.1261092083079892,
-                    -1.1611427208271969E-17,
-                    0.17207478158833905,
-                    -0.9850838895958686,
-                    -0.7328744348470827,
-                    0.670215536009844,
-                    0.11707347282201372
-                })
-                .moveable("mover");
+        GeometryObject mover =
+                new BoxObject(new Point(1, 0, -1), 1, 1, 1).turned(0, 45).moveable("mover");
         Geometry world = new Geometry(32, 32, 32, Dimension.SPATIAL, Accuracy.DOP);
         assertThat(world.addObject(still)).isTrue();
         assertThat(world.addObject(mover)).isTrue();
-        MoveResult result = world.moveGlobal("mover", new Move(-3, 0, 2, 0, 0));
+        MoveResult result = world.moveGlobal("mover", new Move(3, 0, -3, 0, 0));
         assertThat(result.allowed()).isFalse();
         assertThat(result.fraction()).isBetween(0.1, Math.nextDown(1.0));
         assertThat(result.obstacle()).isEqualTo(still);
         assertThat(world.getObject("mover")).isEqualTo(mover);
         // So far it may go, and is apart there.
         double most = result.fraction();
-        assertThat(world.moveGlobal("mover", new Move(-3 * most, 0, 2 * most, 0, 0))
+        assertThat(world.moveGlobal("mover", new Move(3 * most, 0, -3 * most, 0, 0))
                         .allowed())
                 .isTrue();
         GeometryObject end = world.getObject("mover");

@@ -300,10 +300,7 @@ public final class LeafTable {
 
     private byte shape(int id, GeometryObject object) {
         if (accuracy != Accuracy.EXACT) {
-            // An enclosure that is the object itself.
-            boolean isBall = accuracy == Accuracy.SPHERE && object.kind() == GeometryObject.Kind.SPHERE;
-            boolean isBox = accuracy == Accuracy.OBB && object.kind() == GeometryObject.Kind.BOX;
-            return isBall || isBox ? (byte) (CONVEX | SINGLE) : 0;
+            return object.kind().isSized() && accuracy != Accuracy.DOP ? SINGLE : 0;
         }
         if (object.kind().isSized()) {
             return CONVEX | SINGLE;

@@ -24,6 +24,9 @@ final class EdgeFastPath {
     /** More than a place loses when it is stored, as a share of its coordinates. */
     private static final double STORED = 0x1p-46;
 
+    /** Above the root of two. */
+    private static final double CORNER = 1.415;
+
     private final BoxQuery query;
     private final WorldBounds worldBounds;
     private final Sweep sweep;
@@ -36,6 +39,9 @@ final class EdgeFastPath {
     private double middleX;
     private double middleZ;
     private double radius;
+
+    /** More than a place loses, or at a coarser level more than a sweep of the objects in the enclosures may stop early. */
+    private double margin;
 
     EdgeFastPath(ObjectTable objects, WorldBounds worldBounds, Scratch scratch) {
         query = new BoxQuery(objects);
@@ -52,9 +58,11 @@ final class EdgeFastPath {
      * @return {@link PlainCells#PAST} where it is, {@link PlainCells#MET} where it is not
      */
     int find(AccuracyView view, int id, double[] place, double dx, double dy, double dz, double degrees) {
-        if (view.accuracy != Accuracy.EXACT || !view.keepsShape(id)) {
+        boolean isCoarse = view.accuracy != Accuracy.EXACT;
+        if (!isCoarse && !view.keepsShape(id)) {
             return PlainCells.UNSURE;
         }
+        margin = isCoarse ? MotionSegment.EARLY : STORED;
         ObjectLeaves form = view.form(id);
         leaves.clear();
         leaves.append(form.size());
@@ -62,6 +70,9 @@ final class EdgeFastPath {
         leaves.bounds(0, leaves.size(), box);
         boolean turns = degrees != 0 && !(leaves.size() == 1 && isCentredDisc(place));
         enclose(place, turns);
+        if (turns && (view.accuracy == Accuracy.AABB || view.accuracy == Accuracy.DOP)) {
+            radius *= CORNER; // it holds the object in any attitude, and so the box around it holds what encloses that
+        }
         widen(place, dx, dy, dz, turns);
         if (!worldBounds.clearlyHolds(box)) {
             return PlainCells.UNSURE;
@@ -72,9 +83,10 @@ final class EdgeFastPath {
         for (int k = 0; k < count; k++) {
             int other = query.gathered(k);
             LeafTable table = view.table(other);
-            int one = table.leaves().kind(table.first(other)).isGrid()
-                    ? grid(view.dimension, table, other, dx, dy, dz, turns)
-                    : bounds(table, other, dx, dz);
+            boolean isGrid = table.leaves().kind(table.first(other)).isGrid();
+            int one = !isGrid
+                    ? bounds(table, other, dx, dz)
+                    : isCoarse ? PlainCells.UNSURE : grid(view.dimension, table, other, dx, dy, dz, turns);
             if (one == PlainCells.MET) {
                 return PlainCells.MET;
             }
@@ -119,7 +131,7 @@ final class EdgeFastPath {
         for (double bound : box) {
             size += Math.abs(bound);
         }
-        double slack = STORED * size + Double.MIN_NORMAL;
+        double slack = margin * size + Double.MIN_NORMAL;
         box[0] += Math.min(0, dx) - slack;
         box[1] += Math.min(0, dy) - slack;
         box[2] += Math.min(0, dz) - slack;
@@ -156,10 +168,11 @@ final class EdgeFastPath {
         int at = table.boundsAt(other);
         double halfX = b[at + 3] / 2 - b[at] / 2;
         double halfZ = b[at + 5] / 2 - b[at + 2] / 2;
+        double around = table.isDisc(other) ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
         double qx = b[at] / 2 + b[at + 3] / 2 - middleX;
         double qz = b[at + 2] / 2 + b[at + 5] / 2 - middleZ;
-        double reach = radius + Math.sqrt(halfX * halfX + halfZ * halfZ);
-        double slack = STORED
+        double reach = radius + around;
+        double slack = margin
                 * (Math.abs(b[at])
                         + Math.abs(b[at + 2])
                         + halfX

@@ -29,6 +29,9 @@ final class EnclosureSweep {
     private AccuracyView view;
     private int piece;
 
+    /** Whether it does not matter when something is met. */
+    private boolean isVerdictEnough;
+
     @SuppressWarnings("NullAway.Init") // a question sets the view
     EnclosureSweep(MotionSegment segment) {
         this.segment = segment;
@@ -45,12 +48,22 @@ final class EnclosureSweep {
      * @param box what holds all of the turn; the same after the call
      */
     double timeOfImpact(AccuracyView inView, int other, double[] box) {
+        return impact(inView, other, box, false);
+    }
+
+    /** Whether an object is met anywhere on the turn. */
+    boolean isMet(AccuracyView inView, int other, double[] box) {
+        return impact(inView, other, box, true) != Double.POSITIVE_INFINITY;
+    }
+
+    private double impact(AccuracyView inView, int other, double[] box, boolean isVerdict) {
         piece = -1;
         LeafTable table = inView.table(other);
         if (!table.overlaps(other, box)) {
             return Double.POSITIVE_INFINITY;
         }
         view = inView;
+        isVerdictEnough = isVerdict;
         segment.atStart.bounds(0, segment.atStart.size(), atStart);
         LeafColumn leaves = table.leaves();
         int leaf = table.first(other);
@@ -59,7 +72,7 @@ final class EnclosureSweep {
         }
         System.arraycopy(table.bounds(), table.boundsAt(other), bounds, 0, 6);
         takeOctagon(leaves, leaf);
-        return timeOfImpact(box);
+        return impact(box);
     }
 
     private double impactOfCells(LeafColumn leaves, int leaf, double[] box) {
@@ -79,10 +92,13 @@ final class EnclosureSweep {
             LeafColumn own = walk.piece(cell, segment.atStart.kind(0));
             own.bounds(0, bounds);
             takeOctagon(own, 0);
-            double met = timeOfImpact(box);
+            double met = impact(box);
             if (met < least) {
                 least = met;
                 piece = cell;
+                if (isVerdictEnough) {
+                    return least;
+                }
             }
         }
         return least;
@@ -94,11 +110,14 @@ final class EnclosureSweep {
         }
     }
 
-    private double timeOfImpact(double[] box) {
+    private double impact(double[] box) {
         takeDiagonals(0);
         double before = depth(atStart);
         if (!deepens(1, box, before)) {
             return Double.POSITIVE_INFINITY;
+        }
+        if (isVerdictEnough) {
+            return 0;
         }
         double low = 0;
         double high = 1;

@@ -798,7 +798,8 @@ public final class Motion {
                 continue;
             }
             int other = candidates.id(k);
-            double met = impactOrEnd(other);
+            // Where there is one candidate, it has just been looked at.
+            double met = candidates.count() == 1 ? impacts[0] : impactOrEnd(other);
             double touching = backOff(other, Math.min(met, MOST));
             double free = usable(other, touching);
             stop.note(other, touching, leastTouching);
@@ -860,7 +861,7 @@ public final class Motion {
     /** Whether an object is met on the way, or by the end as it is stored. */
     private boolean blocks(int other) {
         if (!segment.isRigid()) {
-            return timeOfImpact(other) != Double.POSITIVE_INFINITY || endsOn(other);
+            return enclosure.isMet(view, other, box) || endsThere(other);
         }
         return isMeshPair(other) ? endsThere(other) || isMet(other) : isMet(other) || endsThere(other);
     }
@@ -896,10 +897,14 @@ public final class Motion {
         LeafTable of = view.table(other);
         int first = of.first(other);
         double least = Double.POSITIVE_INFINITY;
+        boolean isSeveral = atStart.size() > 1 || of.count(other) > 1;
         for (int j = first; j < first + of.count(other); j++) {
             int near = segment.near(of.leaves(), j, 0);
             for (int k = 0; k < near; k++) {
                 int i = segment.near(k);
+                if (isSeveral && segment.comesLater(i, of.leaves(), j, least)) {
+                    continue;
+                }
                 boolean isOnFloor = hasPieces(of, other, i, j) && stands(); // whose planes spare most of a sweep
                 double free = isOnFloor
                         ? segment.sweep.free(atStart, i, of.leaves(), j, standing)

@@ -83,6 +83,7 @@ public final class MotionSegment {
 
     private final LeafColumn exact = new LeafColumn(1);
     private final double[] part = new double[6];
+    private final double[] theirs = new double[6];
 
     /** The bounds of all places of each leaf during the segment as it was scaled; not kept of a single leaf. */
     private final LeafBoxes leavesSwept = new LeafBoxes();
@@ -482,6 +483,27 @@ public final class MotionSegment {
         other.bounds(leaf, leavesSwept.box);
         double slack = early + EARLY * size(leavesSwept.box);
         return distance > 0 ? leavesSwept.within(distance + slack) : leavesSwept.meeting(slack);
+    }
+
+    /**
+     * Whether a leaf of the mover certainly touches another one only after a share of a straight segment, if at all: their bounds
+     * do, by more than a sweep may stop early.
+     */
+    boolean comesLater(int own, LeafColumn other, int leaf, double share) {
+        if (turns() || share == Double.POSITIVE_INFINITY) {
+            return false;
+        }
+        atStart.bounds(own, part);
+        other.bounds(leaf, theirs);
+        double slack = EARLY * (size(part) + size(theirs)) + Double.MIN_NORMAL;
+        for (int k = 0; k < 3; k += dimension() == Dimension.PLANAR ? 2 : 1) {
+            double by = end[k] - start[k];
+            double gap = by > 0 ? theirs[k] - part[3 + k] : part[k] - theirs[3 + k];
+            if (gap - slack > share * Math.abs(by) * (1 + EARLY)) {
+                return by != 0;
+            }
+        }
+        return false;
     }
 
     /** The k-th of the leaves that may come near, in ascending order. */

@@ -37,6 +37,7 @@ final class ConeCorners {
     private static final int[] FORM = {1, 5, 3, 6, 0, 4, 2, 7};
 
     private static final int[] PRISM_EDGES = new int[64];
+    private static final int[] FLAT_PRISM_EDGES = new int[16];
     private static final int[][] PRISM_FACES = new int[10][];
 
     static {
@@ -47,6 +48,8 @@ final class ConeCorners {
             int[] edges = {p, p + 1, p + 2, p + 3, p, p + 2, p + 1, p + 3};
             System.arraycopy(edges, 0, PRISM_EDGES, 8 * k, 8);
             PRISM_FACES[k] = new int[] {p, p + 1, p + 1, p + 3, p + 3, p + 2, p + 2, p};
+            FLAT_PRISM_EDGES[2 * k] = p;
+            FLAT_PRISM_EDGES[2 * k + 1] = p + 1;
             bottom[2 * k] = p;
             bottom[2 * k + 1] = p + 1;
             top[2 * k] = p + 2;
@@ -104,7 +107,11 @@ final class ConeCorners {
 
     /** The edges of a leaf flattened into a plane. */
     static int[] flatEdges(LeafKind kind) {
-        return kind == LeafKind.UPRIGHT_BOX ? FLAT_EDGES : edges(kind);
+        return switch (kind) {
+            case UPRIGHT_BOX -> FLAT_EDGES;
+            case PRISM -> FLAT_PRISM_EDGES;
+            default -> edges(kind);
+        };
     }
 
     static int[][] faces(LeafKind kind) {
@@ -124,6 +131,26 @@ final class ConeCorners {
 
     boolean isThere(int corner) {
         return !hasAbsent || !isAbsent[corner / 4];
+    }
+
+    /**
+     * A lower bound of the distance of the apex from a face of a prism, in the order of {@link #faces}; 0 where the apex is
+     * certainly not outside of it, as then other faces are nearer.
+     */
+    double gap(Cone cone, int face) {
+        int number = face < FORM.length ? FORM[face] : face;
+        double o = switch (number / 2) {
+            case 0 -> cone.ox;
+            case 1 -> cone.oz;
+            case 2 -> cone.ox + cone.oz;
+            case 3 -> cone.ox - cone.oz;
+            default -> cone.oy;
+        };
+        double bound = rows[at + number];
+        double size = Math.abs(cone.ox) + Math.abs(cone.oy) + Math.abs(cone.oz) + Math.abs(bound);
+        double gap = (number & 1) == 0 ? bound - o : o - bound;
+        double sure = gap + 0x1p-40 * size;
+        return sure > 0 ? Math.max(Double.MIN_VALUE, 0.7 * gap - 0x1p-40 * size) : 0;
     }
 
     /** Whether they are of an enclosure, not of an object itself. */

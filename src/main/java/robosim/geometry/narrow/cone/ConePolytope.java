@@ -63,9 +63,15 @@ final class ConePolytope {
     private static final int SHARE = D + 1;
     static final int TEMPORARY = SHARE + 1;
 
+    /** More than rounding moves a corner or changes a distance, as a share of coordinates. */
+    private static final double ROUNDING = 0x1p-40;
+
     private final ConeCorners corners = new ConeCorners();
     private final ConeFaces faces = new ConeFaces(corners);
     private double extent;
+
+    /** How far the edges of a prism are from the apex, or less; infinite for those that have been looked at. */
+    private final double[] gaps = new double[32];
 
     /** The edge that is looked at: one end, and the way to the other. */
     private double px;
@@ -78,9 +84,14 @@ final class ConePolytope {
 
     /**
      * The distance; {@code axis} is the distance where the axis itself meets the leaf (+Infinity where it does not).
+     *
+     * @param limit a distance beyond which an answer is not needed
      */
-    double distance(Cone cone, double axis, LeafKind kind, double[] row, int j) {
+    double distance(Cone cone, double axis, double limit, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
+        if (kind == LeafKind.PRISM) {
+            return prism(cone, axis, limit);
+        }
         double best = edges(cone, ConeCorners.edges(kind), axis);
         if (best == Double.POSITIVE_INFINITY) {
             return best;
@@ -91,6 +102,77 @@ final class ConePolytope {
             }
         }
         return best;
+    }
+
+    /**
+     * The same for a prism, of those features only that may be as near as the nearest found. The distance of a feature that is
+     * certainly farther cannot be the least.
+     */
+    private double prism(Cone cone, double axis, double limit) {
+        int[] edges = ConeCorners.edges(LeafKind.PRISM);
+        double best = nearestEdges(cone, edges, axis, limit);
+        double nearest = best;
+        int[][] sides = ConeCorners.faces(LeafKind.PRISM);
+        for (int k = 0; k < sides.length; k++) {
+            double gap = corners.gap(cone, k);
+            if (gap > 0 && gap <= Math.min(nearest, limit) && corners.isFaceThere(sides[k])) {
+                nearest = Math.min(nearest, faces.distance(cone, sides[k], extent, nearest));
+            }
+        }
+        // A foot on the border of a face does not tell whether there is a hit.
+        return best < Double.POSITIVE_INFINITY || (nearest < Double.POSITIVE_INFINITY && isAnyHit(cone, edges))
+                ? nearest
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /** The least distance of edges, starting with the nearest; those are left out that are farther than the least or the limit. */
+    private double nearestEdges(Cone cone, int[] edges, double axis, double limit) {
+        extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
+        for (int k = 0; k < edges.length / 2; k++) {
+            gaps[k] = corners.isThere(edges[2 * k]) ? gap(edges[2 * k], edges[2 * k + 1]) : Double.POSITIVE_INFINITY;
+        }
+        double best = axis;
+        while (true) {
+            int next = 0;
+            for (int k = 1; k < edges.length / 2; k++) {
+                next = gaps[k] < gaps[next] ? k : next;
+            }
+            if (!(gaps[next] <= Math.min(best, limit)) || gaps[next] == Double.POSITIVE_INFINITY) {
+                return best;
+            }
+            gaps[next] = Double.POSITIVE_INFINITY;
+            best = Math.min(best, edge(cone, edges[2 * next], edges[2 * next + 1]));
+        }
+    }
+
+    /** Whether the cone holds a point of an edge that was left out. */
+    private boolean isAnyHit(Cone cone, int[] edges) {
+        for (int k = 0; k < edges.length / 2; k++) {
+            if (gaps[k] < Double.POSITIVE_INFINITY
+                    && edge(cone, edges[2 * k], edges[2 * k + 1]) < Double.POSITIVE_INFINITY) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** A lower bound of the distance of an edge. */
+    private double gap(int from, int to) {
+        double[] v = corners.hi;
+        double x = v[3 * from];
+        double y = v[3 * from + 1];
+        double z = v[3 * from + 2];
+        double dx = v[3 * to] - x;
+        double dy = v[3 * to + 1] - y;
+        double dz = v[3 * to + 2] - z;
+        double length = dx * dx + dy * dy + dz * dz;
+        double ahead = -(x * dx + y * dy + z * dz);
+        double share = ahead > 0 && length > 0 ? Math.min(1, ahead / length) : 0;
+        double size = Math.abs(x) + Math.abs(y) + Math.abs(z) + Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+        x += share * dx;
+        y += share * dy;
+        z += share * dz;
+        return Math.sqrt(x * x + y * y + z * z) - ROUNDING * size;
     }
 
     /**
@@ -140,8 +222,11 @@ final class ConePolytope {
     }
 
     /** The same for a leaf that is flat in a plane through the apex and the axis: all faces are edge on and ignored. */
-    double flat(Cone cone, double axis, LeafKind kind, double[] row, int j) {
+    double flat(Cone cone, double axis, double limit, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
+        if (kind == LeafKind.PRISM) {
+            return nearestEdges(cone, ConeCorners.flatEdges(kind), axis, limit);
+        }
         return edges(cone, ConeCorners.flatEdges(kind), axis);
     }
 

@@ -56,7 +56,7 @@ public final class PlanarCone {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        return all(beam, kind, b, j, s);
+        return all(beam, kind, b, j, limit, s);
     }
 
     /** The distance of an upright box, where plain numbers know which of its points is nearest; else below 0. */
@@ -66,7 +66,11 @@ public final class PlanarCone {
         PlainSectorBox box = s.cones().sectorBox;
         return switch (box.look(cone, b, j, limit)) {
             case PlainSectorBox.BEYOND -> Double.POSITIVE_INFINITY;
-            case PlainSectorBox.HELD -> within(beam, LeafKind.UPRIGHT_BOX, b, j, s);
+            case PlainSectorBox.HELD -> {
+                s.sector.set(beam);
+                double within = plainPolygon(beam, LeafKind.UPRIGHT_BOX, b, j, s);
+                yield within < 0 ? clipped(beam, LeafKind.UPRIGHT_BOX, b, j, limit, s) : within;
+            }
             case PlainSectorBox.CROSSED -> {
                 flatten(LeafKind.UPRIGHT_BOX, b, j, s.leaf.flat);
                 double crossed =
@@ -77,23 +81,22 @@ public final class PlanarCone {
         };
     }
 
-    /** The same, of all points of a leaf. */
-    static double all(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
-        double within = within(beam, kind, b, j, s);
+    /** The same, of all points of a leaf; of an octagon those within the limit. */
+    static double all(BeamAxis beam, LeafKind kind, double[] b, int j, double limit, ConeScratch s) {
+        s.sector.set(beam);
+        double within = switch (kind.fromAbove()) {
+            case DISC -> disc(beam, b, j, s);
+            case POLYGON -> plainPolygon(beam, kind, b, j, s);
+            case OVAL -> oval(beam, kind, b, j, s);
+            case TRIANGLES, CELLS -> throw kind.refused();
+        };
+        if (within < 0) {
+            return clipped(beam, kind, b, j, limit, s); // that of the axis is one of these
+        }
         // A miss by the exact shapes holds for the axis too; for a turned cylinder each is certified separately.
         boolean isCertain =
                 within == 0 || (within == Double.POSITIVE_INFINITY && kind.fromAbove() != LeafKind.FromAbove.OVAL);
         return isCertain ? within : Math.min(within, PlanarRay.distance(beam, kind, b, j, s.ray));
-    }
-
-    private static double within(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
-        s.sector.set(beam);
-        return switch (kind.fromAbove()) {
-            case DISC -> disc(beam, b, j, s);
-            case POLYGON -> polygon(beam, kind, b, j, s);
-            case OVAL -> oval(beam, kind, b, j, s);
-            case TRIANGLES, CELLS -> throw kind.refused();
-        };
     }
 
     private static double disc(BeamAxis beam, double[] b, int j, ConeScratch s) {
@@ -112,7 +115,8 @@ public final class PlanarCone {
         return ConeSphere.distance(s.cones().cone, s.leaf.flat, 0);
     }
 
-    private static double polygon(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
+    /** The distance of a polygon where doubles are sure of it, or below 0; not that along the axis. */
+    private static double plainPolygon(BeamAxis beam, LeafKind kind, double[] b, int j, ConeScratch s) {
         PlanarSector sector = s.sector;
         PlanarShape q = s.planar.planarB;
         q.set(kind, b, j, beam.ox, beam.oz);
@@ -131,13 +135,18 @@ public final class PlanarCone {
                 }
             }
         }
+        return -1;
+    }
+
+    /** The distance of a polygon that an edge of the sector may cut. */
+    private static double clipped(BeamAxis beam, LeafKind kind, double[] b, int j, double limit, ConeScratch s) {
         double axis = PlanarRay.distance(beam, kind, b, j, s.ray);
         if (axis == 0) {
             return 0;
         }
         flatten(kind, b, j, s.leaf.flat);
         s.cones().cone.set(beam, 0);
-        return s.cones().polytope.flat(s.cones().cone, axis, kind, s.leaf.flat, 0);
+        return s.cones().polytope.flat(s.cones().cone, axis, limit, kind, s.leaf.flat, 0);
     }
 
     /** The projection as a leaf of height 0 in the plane y = 0. */

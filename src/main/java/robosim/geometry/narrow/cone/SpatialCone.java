@@ -55,7 +55,7 @@ public final class SpatialCone {
         if (kind == LeafKind.SPHERE && isSurelyFarther(beam, row, j, limit)) {
             return Double.POSITIVE_INFINITY;
         }
-        return all(beam, kind, row, j, s);
+        return all(beam, kind, row, j, limit, s);
     }
 
     /** Whether a ball is certainly farther than a limit, with the margin of {@link #isSurelyBeyond}. */
@@ -68,8 +68,8 @@ public final class SpatialCone {
         return size < 0x1p400 && size > 0x1p-400 && VectorMath.length(mx, my, mz) - r - limit > 0x1p-28 * size;
     }
 
-    /** The same, of all features of a leaf. */
-    static double all(BeamAxis beam, LeafKind kind, double[] row, int j, ConeScratch s) {
+    /** The same, of all features of a leaf; of a prism those within the limit. */
+    static double all(BeamAxis beam, LeafKind kind, double[] row, int j, double limit, ConeScratch s) {
         if ((kind.isBox() || kind.isRound()) && isSurelyBeyond(beam, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -80,7 +80,7 @@ public final class SpatialCone {
         Cone cone = s.cones().cone;
         cone.set(beam, beam.oy);
         double nearest = switch (kind) {
-            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> s.cones().polytope.distance(cone, axis, kind, row, j);
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> s.cones().polytope.distance(cone, axis, limit, kind, row, j);
             case SPHERE -> ConeSphere.distance(cone, row, j);
             case UPRIGHT_CYLINDER -> s.cones().cylinder.distance(cone, row, j, 0, 1, 0);
             case CYLINDER -> s.cones().cylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.exact.UpwardRounding;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.exact.WorkCounter;
 import robosim.geometry.index.meshes.TriangleMesh;
@@ -41,11 +42,11 @@ public final class Enclosure {
 
     private double levelRadius;
 
-    /** Whether one leaf without triangles is enclosed, which takes no longer to place than to look up. */
-    private final boolean isSimple;
-
-    /** Whether that leaf may be its own enclosure, or is enclosed as it is placed. */
-    private boolean isPlacedFirst;
+    /**
+     * Whether one shape given by sizes is enclosed, about the object's centre and along its axes. Its enclosures have exactly this
+     * centre, and sizes that depend on the attitude alone, so that they keep their shape as the object moves on.
+     */
+    private final boolean isCentred;
 
     /** For the corners of meshes that lie farthest out; null until the first. */
     private @Nullable MeshWalk walk;
@@ -59,10 +60,8 @@ public final class Enclosure {
      */
     private final double[] around = new double[10];
 
+    private final double[] halves = new double[5];
     private final double[] part = new double[6];
-
-    /** Whether the leaf that was placed last has the object's centre, wherever that is. */
-    private boolean isCentred;
 
     private final double[] ownAttitude = new double[Attitude.STRIDE];
 
@@ -70,7 +69,7 @@ public final class Enclosure {
     public Enclosure(Accuracy accuracy, LocalLeaves own) {
         this.accuracy = accuracy;
         leaves = own;
-        isSimple = own.size() == 1 && !own.hasMesh();
+        isCentred = own.size() == 1 && !own.hasMesh() && isInOwnFrame(own.own().rows());
         placed.append(own.size());
         measure();
     }
@@ -79,30 +78,29 @@ public final class Enclosure {
     public Enclosure(Enclosure of) {
         accuracy = of.accuracy;
         leaves = of.leaves;
-        isSimple = of.isSimple;
-        isPlacedFirst = of.isPlacedFirst;
+        isCentred = of.isCentred;
         placed.append(leaves.size());
         System.arraycopy(of.box, 0, box, 0, 6);
         radius = of.radius;
         levelRadius = of.levelRadius;
         System.arraycopy(of.attitude, 0, attitude, 0, 9);
         System.arraycopy(of.around, 0, around, 0, 10);
+        System.arraycopy(of.placed.rows(), 0, placed.rows(), 0, isCentred ? Leaf.STRIDE : 0);
+        System.arraycopy(of.halves, 0, halves, 0, halves.length);
     }
 
     /** Measures the leaves, which have changed. */
     void measure() {
         attitude[0] = Double.NaN;
-        isPlacedFirst = isSimple
-                && switch (accuracy) {
-                    case SPHERE -> leaves.own().kind(0) == LeafKind.SPHERE;
-                    case OBB -> leaves.own().kind(0).isBox();
-                    case AABB, DOP, EXACT -> true;
-                };
+        radius = -1;
+        levelRadius = -1;
+        if (isCentred) {
+            measureCentred(leaves.own().kind(0), leaves.own().rows());
+            return;
+        }
         if (accuracy == Accuracy.AABB || accuracy == Accuracy.DOP) {
             return; // these are taken from the leaves as placed
         }
-        radius = -1;
-        levelRadius = -1;
         LeafColumn column = leaves.own();
         Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
         Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
@@ -113,6 +111,22 @@ public final class Enclosure {
                 LeafBounds.of(column.kind(leaf), column.rows(), leaf * Leaf.STRIDE, part);
             }
             include(part, box);
+        }
+    }
+
+    /** The box of a shape given by sizes follows from these, and the ball of a ball. */
+    private void measureCentred(LeafKind kind, double[] row) {
+        boolean isBall = kind == LeafKind.SPHERE;
+        double halfHeight = isBall ? row[3] : kind == LeafKind.CAPSULE ? UpwardRounding.sum(row[4], row[3]) : row[4];
+        box[3] = row[3];
+        box[4] = halfHeight;
+        box[5] = kind.isRound() ? row[3] : row[5];
+        for (int k = 0; k < 3; k++) {
+            box[k] = -box[3 + k];
+        }
+        if (isBall) {
+            radius = row[3];
+            levelRadius = row[3];
         }
     }
 
@@ -208,7 +222,7 @@ public final class Enclosure {
     }
 
     private double boxReach(double[] row, int at, boolean level) {
-        if (isInOwnFrame(row, at)) { // all corners are as far
+        if (isCentred) { // all corners are as far
             return VectorMath.anyLength(row[at + 3], level ? 0 : row[at + 4], row[at + 5]);
         }
         double[] offset = new double[3];
@@ -227,13 +241,12 @@ public final class Enclosure {
         return farthest;
     }
 
-    /** Whether a box, the only leaf, is no member of a group that may be placed and turned in it. */
-    private boolean isInOwnFrame(double[] row, int at) {
-        return isSimple
-                && row[at] == 0
-                && row[at + 1] == 0
-                && row[at + 2] == 0
-                && Arrays.equals(row, at + Leaf.ROTATION, at + Leaf.ROTATION + 9, IDENTITY, 0, 9);
+    /** Whether the only leaf is no member of a group that may be placed and turned in it. */
+    private static boolean isInOwnFrame(double[] row) {
+        return row[0] == 0
+                && row[1] == 0
+                && row[2] == 0
+                && Arrays.equals(row, Leaf.ROTATION, Leaf.ROTATION + 9, IDENTITY, 0, 9);
     }
 
     private double meshReach(TriangleMesh mesh, double[] row, int at, boolean level) {
@@ -257,38 +270,91 @@ public final class Enclosure {
      */
     public void place(
             Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
-        if (isPlacedFirst) {
-            placeFirst(cx, cy, cz, rotation, at);
-            placeSimple(dimension, cx, cy, cz, rotation, at, out, leaf);
-            return;
-        }
         switch (accuracy) {
             case SPHERE, OBB -> placeMeasured(dimension, cx, cy, cz, rotation, at, out, leaf);
             case AABB, DOP -> {
-                turnTo(rotation, at);
-                placeAround(cx, cy, cz, out, leaf);
+                if (!isCentred) {
+                    turnTo(rotation, at);
+                    placeAround(cx, cy, cz, out, leaf);
+                    return;
+                }
+                turnCentredTo(rotation, at);
+                if (accuracy == Accuracy.AABB) {
+                    placeBox(cx, cy, cz, out, leaf);
+                } else {
+                    placePrism(cx, cy, cz, out, leaf);
+                }
             }
             case EXACT -> throw new IllegalArgumentException("accuracy must be below EXACT (got: EXACT)");
         }
     }
 
-    /** Places the only leaf; with the attitude of last time, a shape given by sizes only has another centre. */
-    private void placeFirst(double cx, double cy, double cz, double[] rotation, int at) {
-        if (isCentred && Arrays.equals(attitude, 0, 9, rotation, at, at + 9)) {
-            double[] row = placed.rows();
-            row[0] = cx;
-            row[1] = cy;
-            row[2] = cz;
+    /**
+     * Measures the only leaf in an attitude, unless it was in that one last: writes its box to {@link #placed}, or how far it
+     * extends to {@link #halves}.
+     */
+    private void turnCentredTo(double[] rotation, int at) {
+        if (Arrays.equals(attitude, 0, 9, rotation, at, at + 9)) {
             return;
         }
-        leaves.place(cx, cy, cz, rotation, at, placed, 0);
-        isCentred = placed.rows()[0] == cx
-                && placed.rows()[1] == cy
-                && placed.rows()[2] == cz
-                && leaves.own().rows()[0] == 0
-                && leaves.own().rows()[1] == 0
-                && leaves.own().rows()[2] == 0;
+        if (leaves.own().kind(0).isRound() && Rotations.isUpright(rotation, at)) {
+            System.arraycopy(box, 3, placed.rows(), Leaf.SIZE, 3);
+            Rotations.identity(placed.rows(), Leaf.ROTATION);
+            double diagonal = ROOT_TWO * box[3];
+            halves[0] = box[3];
+            halves[1] = box[3];
+            halves[2] = diagonal;
+            halves[3] = diagonal;
+            halves[4] = box[4];
+        } else {
+            leaves.place(0, 0, 0, rotation, at, placed, 0);
+            if (accuracy == Accuracy.DOP) {
+                measureHalves(placed.kind(0), placed.rows());
+            } else if (!isAlongAxes(placed)) {
+                LeafBounds.of(placed.kind(0), placed.rows(), 0, part);
+                axisBox(part, placed, 0);
+            }
+        }
         System.arraycopy(rotation, at, attitude, 0, 9);
+    }
+
+    /** How far the placed leaf extends from its centre to either side, along the five directions of a prism. */
+    private void measureHalves(LeafKind kind, double[] row) {
+        halves[0] = halfExtent(kind, row, 0, 1, 0, 0, 1);
+        halves[1] = halfExtent(kind, row, 0, 0, 0, 1, 1);
+        halves[2] = halfExtent(kind, row, 0, 1, 0, 1, ROOT_TWO);
+        halves[3] = halfExtent(kind, row, 0, 1, 0, -1, ROOT_TWO);
+        halves[4] = halfExtent(kind, row, 0, 0, 1, 0, 1);
+    }
+
+    /** Writes the prism of these about a centre. */
+    private void placePrism(double cx, double cy, double cz, LeafColumn out, int leaf) {
+        double[] row = out.rows();
+        int to = leaf * Leaf.STRIDE;
+        double level = Math.abs(cx) + Math.abs(cz);
+        range(row, to, cx, halves[0], Math.abs(cx));
+        range(row, to + 2, cz, halves[1], Math.abs(cz));
+        range(row, to + 4, cx + cz, halves[2], level);
+        range(row, to + 6, cx - cz, halves[3], level);
+        range(row, to + 8, cy, halves[4], Math.abs(cy));
+        out.setKind(leaf, LeafKind.PRISM);
+    }
+
+    private static void range(double[] row, int to, double middle, double half, double size) {
+        double widen = WIDEN * (size + half) + UNDERFLOW;
+        row[to] = middle - half - widen;
+        row[to + 1] = middle + half + widen;
+    }
+
+    /** Writes the upright box in {@link #placed} about a centre. */
+    private void placeBox(double cx, double cy, double cz, LeafColumn out, int leaf) {
+        double[] row = out.rows();
+        int to = leaf * Leaf.STRIDE;
+        System.arraycopy(placed.rows(), 0, row, to, Leaf.STRIDE);
+        row[to] = cx;
+        row[to + 1] = cy;
+        row[to + 2] = cz;
+        out.setKind(leaf, LeafKind.UPRIGHT_BOX);
     }
 
     /** Writes the leaf that encloses an object given by sizes where it stands; these leaves become its own. */
@@ -296,41 +362,27 @@ public final class Enclosure {
         if (leaves.set(object)) {
             measure();
         }
-        if (isPlacedFirst) {
-            attitude[0] = Double.NaN;
-            LocalLeaves.placed(object, placed);
-        }
-        if (accuracy == Accuracy.SPHERE || accuracy == Accuracy.OBB) {
-            object.pose().attitude(ownAttitude, 0);
-        }
+        object.pose().attitude(ownAttitude, 0);
         Point c = object.center();
-        placeSimple(dimension, c.x(), c.y(), c.z(), ownAttitude, 0, out, leaf);
-    }
-
-    private void placeSimple(
-            Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
-        if (isPlacedFirst && isItsOwn(accuracy, placed)) {
-            out.setKind(leaf, placed.kind(0));
-            System.arraycopy(placed.rows(), 0, out.rows(), leaf * Leaf.STRIDE, Leaf.STRIDE);
-            return;
-        }
-        switch (accuracy) {
-            case SPHERE, OBB -> placeMeasured(dimension, cx, cy, cz, rotation, at, out, leaf);
-            case AABB -> {
-                LeafBounds.of(placed.kind(0), placed.rows(), 0, part);
-                axisBox(part, out, leaf);
-            }
-            case DOP -> prism(placed, out, leaf);
-            case EXACT -> throw new IllegalArgumentException("accuracy must be below EXACT (got: EXACT)");
-        }
+        place(dimension, c.x(), c.y(), c.z(), ownAttitude, 0, out, leaf);
     }
 
     private void placeMeasured(
             Dimension dimension, double cx, double cy, double cz, double[] rotation, int at, LeafColumn out, int leaf) {
         double[] row = out.rows();
         int to = leaf * Leaf.STRIDE;
-        placeMiddle(cx, cy, cz, rotation, at, row, to);
-        double widen = widen(row, to);
+        double widen = 0;
+        if (isCentred) {
+            row[to] = cx;
+            row[to + 1] = cy;
+            row[to + 2] = cz;
+            // The axes of a box around a round shape are rounded, while a ball allows for that in its radius.
+            boolean isRounded = accuracy == Accuracy.OBB && leaves.own().kind(0).isRound();
+            widen = isRounded ? WIDEN * size() + UNDERFLOW : 0;
+        } else {
+            placeMiddle(cx, cy, cz, rotation, at, row, to);
+            widen = widen(row, to);
+        }
         if (accuracy == Accuracy.SPHERE) {
             out.setKind(leaf, LeafKind.SPHERE);
             row[to + 3] = radius(dimension == Dimension.PLANAR && Rotations.isUpright(rotation, at)) + widen;
@@ -371,7 +423,7 @@ public final class Enclosure {
             around[pair] = Math.min(around[pair], -corners.farthest(placed, leaf, -x, -y, -z));
             around[pair + 1] = Math.max(around[pair + 1], corners.farthest(placed, leaf, x, y, z));
         } else {
-            extend(placed, leaf, around, 0, pair, x, y, z);
+            extend(placed, leaf, around, pair, x, y, z);
         }
     }
 
@@ -432,20 +484,9 @@ public final class Enclosure {
         }
     }
 
-    /** Whether the object is a single leaf that already is the enclosure of this accuracy. */
-    private static boolean isItsOwn(Accuracy accuracy, LeafColumn placed) {
-        if (placed.size() != 1) {
-            return false;
-        }
-        LeafKind kind = placed.kind(0);
-        return switch (accuracy) {
-            case SPHERE -> kind == LeafKind.SPHERE;
-            case OBB -> kind.isBox();
-            case AABB ->
-                kind == LeafKind.UPRIGHT_BOX
-                        && (placed.rows()[Leaf.ROTATION] == 0 || placed.rows()[Leaf.ROTATION + 2] == 0);
-            case DOP, EXACT -> false;
-        };
+    private static boolean isAlongAxes(LeafColumn placed) {
+        double[] row = placed.rows();
+        return placed.kind(0) == LeafKind.UPRIGHT_BOX && (row[Leaf.ROTATION] == 0 || row[Leaf.ROTATION + 2] == 0);
     }
 
     private void placeMiddle(double cx, double cy, double cz, double[] rotation, int at, double[] row, int to) {
@@ -472,35 +513,30 @@ public final class Enclosure {
         out.setKind(leaf, LeafKind.UPRIGHT_BOX);
     }
 
-    /** Writes the prism around all leaves of a column, none of which is a mesh. */
-    static void prism(LeafColumn placed, LeafColumn out, int leaf) {
+    /** Writes the prism around the only leaf of a column, which is not a mesh. */
+    static void prism(LeafColumn placed, LeafColumn out) {
         double[] row = out.rows();
-        int to = leaf * Leaf.STRIDE;
         for (int k = 0; k < 10; k += 2) {
-            row[to + k] = Double.POSITIVE_INFINITY;
-            row[to + k + 1] = Double.NEGATIVE_INFINITY;
+            row[k] = Double.POSITIVE_INFINITY;
+            row[k + 1] = Double.NEGATIVE_INFINITY;
         }
-        for (int part = 0; part < placed.size(); part++) {
-            extend(placed, part, row, to, 0, 1, 0, 0);
-            extend(placed, part, row, to, 2, 0, 0, 1);
-            extend(placed, part, row, to, 4, 1, 0, 1);
-            extend(placed, part, row, to, 6, 1, 0, -1);
-            extend(placed, part, row, to, 8, 0, 1, 0);
-        }
-        out.setKind(leaf, LeafKind.PRISM);
+        extend(placed, 0, row, 0, 1, 0, 0);
+        extend(placed, 0, row, 2, 0, 0, 1);
+        extend(placed, 0, row, 4, 1, 0, 1);
+        extend(placed, 0, row, 6, 1, 0, -1);
+        extend(placed, 0, row, 8, 0, 1, 0);
+        out.setKind(0, LeafKind.PRISM);
     }
 
     /** Extends one pair of the prism's bounds to include a leaf along (x, y, z). */
-    private static void extend(
-            LeafColumn placed, int leaf, double[] prism, int to, int pair, double x, double y, double z) {
+    private static void extend(LeafColumn placed, int leaf, double[] prism, int pair, double x, double y, double z) {
         double[] row = placed.rows();
         int at = leaf * Leaf.STRIDE;
-        LeafKind kind = placed.kind(leaf);
         double middle = row[at] * x + row[at + 1] * y + row[at + 2] * z;
         double length = x != 0 && z != 0 ? ROOT_TWO : 1;
-        double half = halfExtent(kind, row, at, x, y, z, length);
-        double size = Math.abs(row[at]) + Math.abs(row[at + 1]) + Math.abs(row[at + 2]) + half;
-        hold(prism, to + pair, middle, half, size);
+        double half = halfExtent(placed.kind(leaf), row, at, x, y, z, length);
+        double size = Math.abs(row[at] * x) + Math.abs(row[at + 1] * y) + Math.abs(row[at + 2] * z) + half;
+        hold(prism, pair, middle, half, size);
     }
 
     private static double halfExtent(LeafKind kind, double[] row, int at, double x, double y, double z, double length) {

@@ -271,7 +271,7 @@ public final class GridWalk {
         if (!other.isEnclosure()) {
             return box;
         }
-        Enclosure.prism(box, prism, 0);
+        Enclosure.prism(box, prism);
         return prism;
     }
 }

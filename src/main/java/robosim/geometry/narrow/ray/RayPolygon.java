@@ -8,12 +8,11 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.ExactPolygon;
 import robosim.geometry.narrow.planar.PlanarShape;
 
-/** A ray and a convex polygon in the plane: the projection of a box, a triangle or an octagon. */
+/** A ray and a convex polygon in the plane: the projection of a box or a triangle. */
 final class RayPolygon {
     // Corners are relative to the start, and off by the shape's error; a product with the direction and the sum of two
     // add 2u of the size. A side's direction is off by 1u; it, a product and a sum add 3u.
-    private static final double ROUNDING = 1.01;
-    private static final double FILTER = FilterBound.bound(ROUNDING);
+    private static final double FILTER = FilterBound.bound(1.01);
     private static final double PRODUCT = 2 * 0x1p-53;
     private static final double DOUBTFUL = 4 * 0x1p-53;
     private static final double SIDE_PRODUCT = 3 * 0x1p-53;
@@ -23,14 +22,12 @@ final class RayPolygon {
 
     private RayPolygon() {}
 
-    /** Distance in world units. Whether it hits is exact, except that octagons count as hit in doubtful cases. */
+    /** Distance in world units. Whether it hits is exact. */
     static double distance(BeamAxis ray, LeafKind kind, double[] b, int j, RayScratch s) {
         PlanarShape q = s.planar.planarB;
         q.set(kind, b, j, ray.ox, ray.oz);
         double speed = Math.abs(ray.dx) + Math.abs(ray.dz);
-        boolean isEnclosure = kind.isEnclosure();
-        double filter = isEnclosure ? ROUNDING : FILTER;
-        double doubt = filter * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
+        double doubt = FILTER * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
         double left = -Double.MAX_VALUE;
         double right = Double.MAX_VALUE;
         double nearest = Double.MAX_VALUE;
@@ -48,12 +45,12 @@ final class RayPolygon {
         }
         int verdict = 0;
         if (left > doubt && right < -doubt) { // a ray hits a polygon that lies wholly ahead if its line crosses it
-            verdict = nearest > doubt ? 1 : sides(q, ray.dx, ray.dz, speed, filter);
+            verdict = nearest > doubt ? 1 : sides(q, ray.dx, ray.dz, speed);
         }
         if (verdict < 0) {
             return Double.POSITIVE_INFINITY;
         }
-        if (verdict == 0 && !isEnclosure) {
+        if (verdict == 0) {
             EXACT.count();
             ExactPolygon exact = ExactPolygon.of(kind, b, j);
             if (!exact.isHitBy(ray.ox, ray.oz, ray.dx, ray.dz)) {
@@ -64,13 +61,13 @@ final class RayPolygon {
             }
         }
         double square = ray.dx * ray.dx + ray.dz * ray.dz;
-        double first = kind.isBox() ? RayZonogon.entry(ray, b, j) : lastCrossing(kind, q, ray.dx, ray.dz, speed);
+        double first = kind.isBox() ? RayZonogon.entry(ray, b, j) : lastCrossing(q, ray.dx, ray.dz, speed);
         double share = Math.min(Math.max(first, nearest / square), furthest / square);
         return Math.max(0, share) * Math.sqrt(square);
     }
 
     // 1 a clear hit, -1 a clear miss, 0 in doubt, from the side normals alone
-    private static int sides(PlanarShape q, double ux, double uz, double speed, double filter) {
+    private static int sides(PlanarShape q, double ux, double uz, double speed) {
         int verdict = 1;
         for (int k = 0; k < q.count; k++) {
             double nx = q.sideZ[k];
@@ -78,8 +75,8 @@ final class RayPolygon {
             double beyond = -(nx * q.x[k] + nz * q.z[k]);
             double nearing = -(nx * ux + nz * uz);
             double length = Math.abs(nx) + Math.abs(nz);
-            double doubt = filter * (q.error + SIDE_PRODUCT * q.size) * length + UNDERFLOW;
-            double nearingDoubt = filter * SIDE_PRODUCT * length * speed + UNDERFLOW;
+            double doubt = FILTER * (q.error + SIDE_PRODUCT * q.size) * length + UNDERFLOW;
+            double nearingDoubt = FILTER * SIDE_PRODUCT * length * speed + UNDERFLOW;
             if (beyond > doubt && nearing < -nearingDoubt) {
                 return -1;
             }
@@ -92,7 +89,7 @@ final class RayPolygon {
 
     // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit. If a triangle's side is
     // parallel to the ray up to rounding, plain doubles cannot decide in which direction the ray crosses it.
-    private static double lastCrossing(LeafKind kind, PlanarShape q, double ux, double uz, double speed) {
+    private static double lastCrossing(PlanarShape q, double ux, double uz, double speed) {
         double share = 0;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
@@ -102,11 +99,9 @@ final class RayPolygon {
             double ahead = ez * q.x[k] - ex * q.z[k];
             double way = ez * ux - ex * uz;
             double length = Math.abs(ex) + Math.abs(ez);
-            boolean isClear = ahead > DOUBTFUL * length * q.size || way > DOUBTFUL * length * speed;
-            if (isClear || (kind.isEnclosure() && !(ahead < 0 && way < 0))) {
-                continue;
+            if (!(ahead > DOUBTFUL * length * q.size || way > DOUBTFUL * length * speed)) {
+                share = Math.max(share, crossing(q, previous, k, ux, uz));
             }
-            share = Math.max(share, kind.isEnclosure() ? ahead / way : crossing(q, previous, k, ux, uz));
         }
         return share;
     }

@@ -11,7 +11,7 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A ray against an upright octagonal prism: five slabs of x, z, x + z, x - z and y. The verdict is exact. The forms and
+ * A ray against an upright octagonal prism: five slabs of x, z, x + z, x - z and y, of which the plane has four. The verdict is exact. The forms and
  * their slopes are off by one rounding, the ends by two.
  */
 final class RayPrism {
@@ -20,12 +20,24 @@ final class RayPrism {
 
     private RayPrism() {}
 
+    /** In space. */
     static double distance(BeamAxis ray, double[] b, int j, RayScratch s) {
+        return distance(ray, b, j, 5, s);
+    }
+
+    /** Against the octagon seen from above, of a level ray. */
+    static double flatDistance(BeamAxis ray, double[] b, int j, RayScratch s) {
+        return distance(ray, b, j, 4, s);
+    }
+
+    private static double distance(BeamAxis ray, double[] b, int j, int slabs, RayScratch s) {
         RayInterval in = s.interval;
         in.reset();
         clip(in, ray, b, j, 0);
         clip(in, ray, b, j, 1);
-        clip(in, ray, b, j, 4);
+        if (slabs > 4) {
+            clip(in, ray, b, j, 4);
+        }
         if (in.isEmpty()) {
             return Double.POSITIVE_INFINITY;
         }
@@ -35,7 +47,7 @@ final class RayPrism {
             return Double.POSITIVE_INFINITY;
         }
         if (!in.isCertain()) {
-            return exact(ray, b, j);
+            return exact(ray, b, j, slabs);
         }
         return in.face < 0 ? 0 : plane(ray, b, j, in.face, in.enter);
     }
@@ -81,21 +93,23 @@ final class RayPrism {
         return ray.along(t, rest / slope);
     }
 
-    private static double exact(BeamAxis ray, double[] b, int j) {
+    private static double exact(BeamAxis ray, double[] b, int j, int count) {
         EXACT.count();
         double extent = 0;
-        for (int i = 0; i < 10; i++) {
+        for (int i = 0; i < 2 * count; i++) {
             extent = Math.max(extent, Math.abs(b[j + i]));
         }
         ExactRay exact = new ExactRay(ray, extent);
         ExactVector o = exact.start;
         ExactVector d = exact.direction;
-        ExactSlabs slabs = new ExactSlabs(exact, 5);
+        ExactSlabs slabs = new ExactSlabs(exact, count);
         add(slabs, exact, b, j, o.x(), d.x());
         add(slabs, exact, b, j + 2, o.z(), d.z());
         add(slabs, exact, b, j + 4, o.x().add(o.z()), d.x().add(d.z()));
         add(slabs, exact, b, j + 6, o.x().subtract(o.z()), d.x().subtract(d.z()));
-        add(slabs, exact, b, j + 8, o.y(), d.y());
+        if (count > 4) {
+            add(slabs, exact, b, j + 8, o.y(), d.y());
+        }
         return slabs.distance();
     }
 

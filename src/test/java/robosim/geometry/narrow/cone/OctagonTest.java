@@ -33,8 +33,8 @@ class OctagonTest {
                     ? PlanarCone.distance(beam, LeafKind.PRISM, row, 0, limit, s)
                     : SpatialCone.distance(beam, LeafKind.PRISM, row, 0, limit, s);
             double all = isFlat
-                    ? PlanarCone.all(beam, LeafKind.PRISM, row, 0, whole)
-                    : SpatialCone.all(beam, LeafKind.PRISM, row, 0, whole);
+                    ? PlanarCone.all(beam, LeafKind.PRISM, row, 0, Double.POSITIVE_INFINITY, whole)
+                    : SpatialCone.all(beam, LeafKind.PRISM, row, 0, Double.POSITIVE_INFINITY, whole);
             if (all <= limit) {
                 assertThat(quick).isEqualTo(all);
                 near++;

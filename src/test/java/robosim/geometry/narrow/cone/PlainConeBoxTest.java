@@ -99,7 +99,12 @@ class PlainConeBoxTest {
     private void compare(LeafKind kind, double[] row, double[] o, double[] d, double cos, SplittableRandom random) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         double all = SpatialCone.all(
-                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, sin), kind, row, 0, scratch.cone);
+                new BeamAxis().line(o[0], o[1], o[2], d[0], d[1], d[2]).widen(cos, sin),
+                kind,
+                row,
+                0,
+                Double.POSITIVE_INFINITY,
+                scratch.cone);
         double near = near(o, d, cos, sin, kind, row, Double.POSITIVE_INFINITY);
         if (Double.doubleToLongBits(near) != Double.doubleToLongBits(all)) {
             assertThat(near).as(name(kind, row, o, d, cos)).isEqualTo(all);

@@ -87,7 +87,7 @@ class PlainSectorBoxTest {
         LeafKind kind = LeafKind.UPRIGHT_BOX;
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         BeamAxis beam = new BeamAxis().line(ox, 0, oz, dx, 0, dz).widen(cos, sin);
-        double all = PlanarCone.all(beam, kind, row, 0, scratch.cone);
+        double all = PlanarCone.all(beam, kind, row, 0, Double.POSITIVE_INFINITY, scratch.cone);
         double none = Double.POSITIVE_INFINITY;
         double near = PlanarCone.distance(beam, kind, row, 0, none, scratch.cone);
         if (Double.doubleToLongBits(near) != Double.doubleToLongBits(all)) {

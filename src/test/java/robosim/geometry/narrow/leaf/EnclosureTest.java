@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Effort;
@@ -43,6 +44,107 @@ class EnclosureTest {
                 assertThat(row(quick)).as("%s %s", level, object).isEqualTo(row(placed));
             }
         }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void ofObjectsGivenBySizesHoldTheirPointsAboutTheirCentre(Dimension dimension) {
+        double[] most = new double[Accuracy.values().length];
+        for (Accuracy level : LEVELS) {
+            for (int k = 0; k < Effort.cases(400); k++) {
+                GeometryObject object = turned(sized(k), k).movedTo(place());
+                LeafColumn placed = placed(new Enclosure(level, LocalLeaves.of(object)), dimension, object);
+                // The ball around an upright object need not hold its heights where these do not count.
+                boolean isFlat = dimension == Dimension.PLANAR
+                        && level == Accuracy.SPHERE
+                        && object.pose().isUpright();
+                Point c = object.center();
+                if (placed.kind(0) != LeafKind.PRISM) {
+                    assertThat(Arrays.copyOf(placed.rows(), 3)).containsExactly(c.x(), c.y(), c.z());
+                }
+                if (level == Accuracy.OBB && object.kind() != GeometryObject.Kind.BOX) {
+                    // Its axes are rounded, so that a box of just the sizes would miss some of the shape.
+                    double radius = object.roundedBox().radius();
+                    assertThat(placed.rows()[3]).isGreaterThan(radius * (1 + 0x1p-46));
+                    assertThat(placed.rows()[5]).isGreaterThan(radius * (1 + 0x1p-46));
+                }
+                for (int sample = 0; sample < 40; sample++) {
+                    double[] p = pointOf(object);
+                    double in = share(placed, p, isFlat);
+                    assertThat(in).as("%s %s", level, object).isLessThan(1 + 1e-13);
+                    most[level.ordinal()] = Math.max(most[level.ordinal()], in);
+                }
+            }
+            assertThat(most[level.ordinal()]).as("%s", level).isGreaterThan(0.99);
+        }
+    }
+
+    /** Each pair of an octagon's bounds is widened by what it is computed from: heights do not change the others. */
+    @Test
+    void anOctagonHasTheSameSidesAtAllHeights() {
+        for (int k = 0; k < 40; k++) {
+            GeometryObject object = turned(sized(k), k).movedTo(new Point(1e-3, 0, 2e-3));
+            double[] low = row(placed(new Enclosure(Accuracy.DOP, LocalLeaves.of(object)), Dimension.SPATIAL, object));
+            GeometryObject lifted = object.movedTo(new Point(1e-3, 1e9, 2e-3));
+            double[] high = row(placed(new Enclosure(Accuracy.DOP, LocalLeaves.of(lifted)), Dimension.SPATIAL, lifted));
+            assertThat(Arrays.copyOf(high, 8)).as("%s", object).containsExactly(Arrays.copyOf(low, 8));
+        }
+    }
+
+    /** A point of the surface of a box, cylinder, sphere or capsule. */
+    private double[] pointOf(GeometryObject object) {
+        GeometryObject.RoundedBox sizes = object.roundedBox();
+        double angle = random.nextDouble(2 * Math.PI);
+        double end = random.nextBoolean() ? 1 : -1;
+        boolean isBox = object.kind() == GeometryObject.Kind.BOX;
+        boolean isCylinder = object.kind() == GeometryObject.Kind.CYLINDER;
+        double rise = isCylinder || isBox ? 0 : random.nextDouble(-Math.PI / 2, Math.PI / 2);
+        double level = Math.cos(rise) * sizes.radius();
+        double[] own = isBox
+                ? new double[] {
+                    end * sizes.halfWidth(),
+                    random.nextBoolean() ? sizes.halfHeight() : -sizes.halfHeight(),
+                    random.nextBoolean() ? sizes.halfLength() : -sizes.halfLength()
+                }
+                : new double[] {
+                    level * Math.cos(angle),
+                    Math.sin(rise) * sizes.radius() + Math.copySign(sizes.halfHeight(), isCylinder ? end : rise),
+                    level * Math.sin(angle)
+                };
+        double[] r = object.rotation();
+        Point c = object.center();
+        return new double[] {
+            r[0] * own[0] + r[1] * own[1] + r[2] * own[2] + c.x(),
+            r[3] * own[0] + r[4] * own[1] + r[5] * own[2] + c.y(),
+            r[6] * own[0] + r[7] * own[1] + r[8] * own[2] + c.z()
+        };
+    }
+
+    /** How far out a point lies in an enclosure, as a share of the distance from its middle to its surface. */
+    private static double share(LeafColumn enclosure, double[] p, boolean isFlat) {
+        double[] row = enclosure.rows();
+        double[] d = {p[0] - row[0], isFlat ? 0 : p[1] - row[1], p[2] - row[2]};
+        return switch (enclosure.kind(0)) {
+            case SPHERE -> Math.hypot(Math.hypot(d[0], d[1]), d[2]) / row[3];
+            case UPRIGHT_BOX, BOX -> {
+                double most = 0;
+                for (int k = 0; k < 3; k++) {
+                    int r = Leaf.ROTATION + k;
+                    most = Math.max(most, Math.abs(d[0] * row[r] + d[1] * row[r + 3] + d[2] * row[r + 6]) / row[3 + k]);
+                }
+                yield most;
+            }
+            case PRISM -> {
+                double[] along = {p[0], p[2], p[0] + p[2], p[0] - p[2], isFlat ? row[8] / 2 + row[9] / 2 : p[1]};
+                double most = 0;
+                for (int k = 0; k < 5; k++) {
+                    double middle = row[2 * k] / 2 + row[2 * k + 1] / 2;
+                    most = Math.max(most, Math.abs(along[k] - middle) / (row[2 * k + 1] - middle));
+                }
+                yield most;
+            }
+            default -> throw new IllegalStateException("no enclosure: " + enclosure.kind(0));
+        };
     }
 
     @ParameterizedTest
