@@ -223,6 +223,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("9c83377b6a5a3c2d");
+        assertThat(Long.toHexString(digest)).isEqualTo("efb899a0cd917900");
     }
 }
