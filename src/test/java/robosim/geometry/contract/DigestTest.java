@@ -20,13 +20,16 @@ class DigestTest {
     /** An ordinary build has only the JVM's first compiler here, as the pom says. */
     @Test
     void withTheOptimisingCompilerAlone() throws IOException {
-        assertThat(Answers.run(List.of("-XX:-TieredCompilation", "-Xbatch"), Digest.class, List.of("" + ANSWERS)))
+        assertThat(Answers.run(
+                        List.of("-XX:-TieredCompilation", "-Xbatch", "-XX:+UseSerialGC"),
+                        Digest.class,
+                        List.of("" + ANSWERS)))
                 .isEqualToIgnoringNewLines(DIGEST);
     }
 
     @Test
     void interpreted() throws IOException {
-        assertThat(Answers.run(List.of("-Xint"), Digest.class, List.of("300")))
+        assertThat(Answers.run(List.of("-Xint", "-XX:+UseSerialGC"), Digest.class, List.of("300")))
                 .isEqualToIgnoringNewLines(Digest.of(300));
     }
 
