@@ -115,7 +115,7 @@ class MoveLawsTest {
             }
         }
         assertThat(made).isBetween(cases / 4, cases * 19 / 20);
-        assertThat(refused).isBetween(cases / 10, cases * 3 / 4);
+        assertThat(refused).isBetween(cases / 16, cases * 3 / 4);
     }
 
     private static void wholeWayIsFree(Geometry rest, GeometryObject mover, Move move, String what) {
