@@ -2,7 +2,7 @@ package robosim.geometry;
 
 /**
  * How many random cases a test asks. The numbers in the tests are those of a full run, {@code
- * -Dtest.effort=1}; an ordinary build asks a quarter, as the pom says, and so does {@code .ci/run} on each JDK.
+ * -Dtest.effort=1}; an ordinary build asks an eighth, as the pom says, and {@code .ci/run} a quarter on the newest JDK.
  */
 public final class Effort {
     private static final double TIMES = Double.parseDouble(System.getProperty("test.effort", "1"));
@@ -19,7 +19,7 @@ public final class Effort {
         return Math.max(least, cases(full));
     }
 
-    /** So many cases in a full run of those that take long, and the square of the share in others: a sixteenth in an ordinary build. */
+    /** So many cases in a full run of those that take long, and the square of the share in others: a 64th in an ordinary build. */
     public static int costly(int full, int least) {
         return Math.max(least, (int) Math.round(full * TIMES * Math.min(1, TIMES)));
     }

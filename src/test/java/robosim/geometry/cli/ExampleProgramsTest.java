@@ -22,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Element;
+import robosim.geometry.ChildJvm;
 import robosim.geometry.Geometry;
 import robosim.geometry.cli.demo.Program;
 import robosim.geometry.model.Point;
@@ -45,13 +46,7 @@ class ExampleProgramsTest {
 
     private static String started(String classes, String program, String... arguments)
             throws IOException, InterruptedException {
-        List<String> words = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-cp",
-                classes,
-                program));
+        List<String> words = ChildJvm.command("-cp", classes, program);
         words.addAll(List.of(arguments));
         Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);

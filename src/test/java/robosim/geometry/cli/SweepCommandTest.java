@@ -17,6 +17,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.ChildJvm;
 import robosim.geometry.cli.studies.SweepCommand;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.sweep.Replicate;
@@ -110,17 +111,7 @@ class SweepCommandTest extends CommandRun {
         Path results = folder.resolve("a b.jsonl");
         Path said = folder.resolve("said");
         Process sweep = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Main.class.getName(),
-                        "sweep",
-                        SCENARIO,
-                        "-n",
-                        "2000000",
-                        "-o",
-                        results.toString())
+                        ChildJvm.running(Main.class, "sweep", SCENARIO, "-n", "2000000", "-o", results.toString()))
                 .redirectErrorStream(true)
                 .redirectOutput(said.toFile())
                 .start();

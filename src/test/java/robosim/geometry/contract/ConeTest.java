@@ -3,9 +3,11 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -47,7 +49,7 @@ class ConeTest {
                     .isCloseTo(Math.sqrt(10), within(1e-15));
         }
         SplittableRandom random = new SplittableRandom(241);
-        for (int k = 0; k < 2_000; k++) {
+        for (int k = 0; k < Effort.cases(2_000); k++) {
             Point way = new Point(random.nextInt(-9, 10), random.nextInt(1, 10), random.nextInt(-9, 10));
             double x = way.x() * 2;
             double y = way.y() * 2;
@@ -78,13 +80,17 @@ class ConeTest {
     @Test
     void whatIsOnTheBorderIsHeardFromEverySide() {
         int found = 0;
+        int[][] whole = new int[9261][];
+        Arrays.setAll(whole, n -> new int[] {n % 21 - 10, n / 21 % 21 - 10, n / 441 - 10});
+        int[] square = Arrays.stream(whole)
+                .mapToInt(v -> v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+                .toArray();
+        int every = 53 * Effort.stride(4);
         for (int n = 0; n < 9261 * 9261; n++) {
-            int i = n / 9261;
-            int[] d = {n % 21 - 10, n / 21 % 21 - 10, n / 441 % 21 - 10};
-            int[] p = {i % 21 - 10, i / 21 % 21 - 10, i / 441 - 10};
+            int[] p = whole[n / 9261];
+            int[] d = whole[n % 9261];
             int dp = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
-            int squares = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-            if (dp <= 0 || 4 * dp * dp != squares || found++ % 53 > 0) {
+            if (dp <= 0 || 4 * dp * dp != square[n / 9261] * square[n % 9261] || found++ % every > 0) {
                 continue;
             }
             Point way = new Point(d[0], d[1], d[2]);

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.exact.Attitude;
@@ -227,7 +228,7 @@ class FreePlacesTest {
     @Test
     void edgesFromThePresentPlaceAnswerAsMovesDo() {
         int[] counts = new int[2];
-        for (int k = 0; k < 400; k++) {
+        for (int k = 0; k < Effort.cases(400); k++) {
             Geometry world = filled(Dimension.values()[k % 2], Accuracy.values()[k % 5], 30, 40);
             for (String name : new String[] {"disc", "box", "any"}) {
                 GeometryObject object = world.getObject(name);
@@ -244,8 +245,8 @@ class FreePlacesTest {
                         .isEqualTo(isFree);
             }
         }
-        assertThat(counts[0]).isGreaterThan(100);
-        assertThat(counts[1]).isGreaterThan(100);
+        assertThat(counts[0]).isGreaterThan(Effort.cases(100));
+        assertThat(counts[1]).isGreaterThan(Effort.cases(100));
     }
 
     /** A capsule that lies along X, and is as long as it is not wide, keeps lying at a pose. */

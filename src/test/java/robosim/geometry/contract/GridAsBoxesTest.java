@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.BitSet;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Effort;
@@ -18,6 +19,7 @@ import robosim.geometry.model.GridObject;
 import robosim.geometry.model.Point;
 
 /** A world with a grid answers to the bit as the same world with a box for each of the occupied cells. */
+@Tag("slow")
 class GridAsBoxesTest {
     private static final double SIZE = 64;
     private static final int WORLDS = Effort.cases(40);

@@ -3,6 +3,7 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -19,6 +20,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 
 /** A coarser level adds contacts with a grid and shortens distances to it; it misses none. */
+@Tag("slow")
 class GridLevelsTest {
     private static final double SIZE = 64;
     private static final double SPREAD = 5;

@@ -15,6 +15,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.IntToDoubleFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -37,6 +38,7 @@ import robosim.geometry.model.RayPattern;
 import robosim.geometry.model.SenseOptions;
 
 /** Worlds with grids: what is shared, what is asked at once, and what is left for the garbage collector. */
+@Tag("slow")
 class GridSnapshotTest {
     private static final double SIZE = 64;
     private static final double SPREAD = 7;

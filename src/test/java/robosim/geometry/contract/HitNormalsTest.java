@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.RayHit;
 import robosim.geometry.model.Accuracy;
@@ -26,7 +27,7 @@ class HitNormalsTest {
     @Test
     void aPlateThinnerThanAnUlpOfTheDistanceShowsItsNearSide() {
         int hits = 0;
-        for (int k = 0; k < 4_000; k++) {
+        for (int k = 0; k < Effort.cases(4_000); k++) {
             double thick = StrictMath.pow(10, random.nextDouble(-13, k % 2 == 0 ? -10 : 0));
             GeometryObject plate = new BoxObject(place(), 2, thick, 2)
                     .turned(random.nextDouble(-180, 180), random.nextDouble(-180, 180));
@@ -43,13 +44,13 @@ class HitNormalsTest {
                     .isTrue();
             hits++;
         }
-        assertThat(hits).isGreaterThan(3_000);
+        assertThat(hits).isGreaterThan(Effort.cases(3_000));
     }
 
     @Test
     void whatIsSmallBesideTheDistanceFacesTheRay() {
         int hits = 0;
-        for (int k = 0; k < 20_000; k++) {
+        for (int k = 0; k < Effort.cases(20_000); k++) {
             double p = StrictMath.pow(10, random.nextDouble(-13, 1));
             double q = StrictMath.pow(10, random.nextDouble(-13, 1));
             double turn = random.nextInt(3) == 0 ? 0 : random.nextDouble(-180, 180);
@@ -63,7 +64,7 @@ class HitNormalsTest {
                 hits++;
             }
         }
-        assertThat(hits).isGreaterThan(10_000);
+        assertThat(hits).isGreaterThan(Effort.cases(10_000));
     }
 
     /** Shapes without thickness, hit at any slant down to that of rounding: the product with the direction is never above 0. */
@@ -71,7 +72,7 @@ class HitNormalsTest {
     void flatShapesFaceTheRayToTheBit() {
         int hits = 0;
         int grazed = 0;
-        for (int k = 0; k < 30_000; k++) {
+        for (int k = 0; k < Effort.cases(30_000); k++) {
             GeometryObject flat = switch (k % 5) {
                 case 0 -> new BoxObject(place(), 2, 0, 2);
                 case 1 -> new BoxObject(place(), 0, 1, 2);
@@ -117,8 +118,8 @@ class HitNormalsTest {
                 grazed += ahead > -1e-12 ? 1 : 0;
             }
         }
-        assertThat(hits).isGreaterThan(10_000);
-        assertThat(grazed).isGreaterThan(1_000);
+        assertThat(hits).isGreaterThan(Effort.cases(10_000));
+        assertThat(grazed).isGreaterThan(Effort.cases(1_000));
     }
 
     private GeometryObject turned(GeometryObject flat) {

@@ -14,8 +14,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Avoidance;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.RayHit;
 import robosim.geometry.SenseBuffer;
@@ -40,7 +42,7 @@ import robosim.geometry.world.WorldWriter;
 
 /** Queries that leave out objects by name or layer, compared with worlds in which these objects are not. */
 class IgnoredObjectsTest {
-    private static final int WORLDS = 12;
+    private static final int WORLDS = Effort.cases(12, 6);
     private static final Avoidance NO_GLASS = Avoidance.ignoring("glass", "crate");
     private final SplittableRandom random = new SplittableRandom(4040);
 
@@ -86,6 +88,7 @@ class IgnoredObjectsTest {
         return buffer.distances().clone();
     }
 
+    @Tag("slow")
     @Test
     void beams() {
         int changed = 0;

@@ -116,8 +116,8 @@ class LimitedWorkTest {
     @Test
     void aCheckCountsWhatItsQuestionsTake() throws Exception {
         List<WorldObject> objects = List.of(
-                new WorldObject(Rulings.mesh(1000, true, 0)),
-                new WorldObject(Rulings.mesh(1000, false, 1e-3).moveable("m")));
+                new WorldObject(Rulings.mesh(400, true, 0)),
+                new WorldObject(Rulings.mesh(400, false, 1e-3).moveable("m")));
         World world = new World(10, 10, 10, null, Dimension.SPATIAL, Accuracy.EXACT, objects);
         AtomicReference<WorkLimit> cancelled = new AtomicReference<>();
         int[] looks = new int[1];

@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
@@ -87,7 +88,8 @@ class MoveLawsTest {
         RandomObjects objects = new RandomObjects(random, 4);
         int made = 0;
         int refused = 0;
-        for (int k = 0; k < 240; k++) {
+        int cases = Effort.cases(240);
+        for (int k = 0; k < cases; k++) {
             List<GeometryObject> others = new ArrayList<>();
             for (int n = random.nextInt(4, 12); n > 0; n--) {
                 others.add(objects.next());
@@ -112,8 +114,8 @@ class MoveLawsTest {
                 shareIsFree(rest, mover, move, result, what);
             }
         }
-        assertThat(made).isBetween(60, 215);
-        assertThat(refused).isBetween(25, 180);
+        assertThat(made).isBetween(cases / 4, cases * 19 / 20);
+        assertThat(refused).isBetween(cases / 16, cases * 3 / 4);
     }
 
     private static void wholeWayIsFree(Geometry rest, GeometryObject mover, Move move, String what) {
@@ -171,7 +173,7 @@ class MoveLawsTest {
         RandomObjects objects = new RandomObjects(random, 0.5);
         int trapped = 0;
         int blocked = 0;
-        for (int k = 0; k < 150; k++) {
+        for (int k = 0; k < Effort.cases(150); k++) {
             GeometryObject piece = objects.primitive();
             GeometryObject mover = objects.primitive().moveable("mover");
             if (k % 10 == 0) {
@@ -206,8 +208,8 @@ class MoveLawsTest {
             }
             assertThat(ways).as(dimension + " " + mover + " in " + piece).isGreaterThan(0);
         }
-        assertThat(trapped).isGreaterThan(60);
-        assertThat(blocked).isGreaterThan(500);
+        assertThat(trapped).isGreaterThan(Effort.cases(60));
+        assertThat(blocked).isGreaterThan(Effort.cases(500));
     }
 
     @ParameterizedTest
@@ -298,7 +300,8 @@ class MoveLawsTest {
         SplittableRandom random = new SplittableRandom(25);
         RandomObjects objects = new RandomObjects(random, 2.5);
         int made = 0;
-        for (int k = 0; k < 300; k++) {
+        int cases = Effort.cases(300);
+        for (int k = 0; k < cases; k++) {
             List<GeometryObject> others = new ArrayList<>();
             for (int n = 0; n < 5; n++) {
                 others.add(objects.next());
@@ -320,6 +323,6 @@ class MoveLawsTest {
                     dimension + " " + text(mover) + " by " + move + " beside "
                             + others.stream().map(MoveLawsTest::text).toList());
         }
-        assertThat(made).isBetween(30, 250);
+        assertThat(made).isBetween(cases / 10, cases * 5 / 6);
     }
 }

@@ -66,7 +66,7 @@ class PartsTest {
         int hits = 0;
         int ties = 0;
         int later = 0;
-        for (int round = 0; round < 30; round++) {
+        for (int round = 0; round < Effort.cases(30, 10); round++) {
             ObjectGroup group = group(round % 3);
             Geometry world = new Geometry(1000, 1000, 1000, dimension, Accuracy.EXACT);
             boolean moves = round % 2 == 0;
@@ -101,7 +101,7 @@ class PartsTest {
                 later += first > 0 ? 1 : 0;
             }
         }
-        assertThat(hits).isGreaterThan(500);
+        assertThat(hits).isGreaterThan(Effort.cases(500, 160));
         assertThat(later).isGreaterThan(hits / 4);
         assertThat(ties).isGreaterThan(hits / 50);
     }
@@ -111,7 +111,7 @@ class PartsTest {
     void trianglesOfMeshes(Dimension dimension) {
         RandomObjects objects = new RandomObjects(random, 1);
         int met = 0;
-        for (int round = 0; round < 40; round++) {
+        for (int round = 0; round < Effort.cases(40, 12); round++) {
             Pose at = Pose.of(new Point(6, 0, 0), objects.heading()).turned(round % 2 * 30, 0);
             List<Point> corners = new ArrayList<>();
             int[][] faces = new int[12][];
@@ -149,7 +149,7 @@ class PartsTest {
                 assertThat(out.face(beam)).isEqualTo(first);
             }
         }
-        assertThat(met).isGreaterThan(500);
+        assertThat(met).isGreaterThan(Effort.cases(500, 150));
     }
 
     @ParameterizedTest

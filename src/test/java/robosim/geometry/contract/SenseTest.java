@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.RayHit;
 import robosim.geometry.SenseBuffer;
@@ -265,7 +266,7 @@ class SenseTest {
     void aScanIsAFan(Dimension dimension) {
         Geometry world = filled(dimension, Accuracy.EXACT, 200, 12, 0.25, 10);
         SenseBuffer out = new SenseBuffer();
-        for (int k = 0; k < 40; k++) {
+        for (int k = 0; k < Effort.cases(40); k++) {
             double first = k % 2 == 0 ? -135 : random.nextDouble(-360, 360);
             double step = k % 2 == 0 ? 0.25 : random.nextDouble(-5, 5);
             Point mount = new Point(random.nextDouble(-0.2, 0.2), 0.1, 0);

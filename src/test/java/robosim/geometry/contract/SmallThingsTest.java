@@ -6,6 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -85,7 +86,7 @@ class SmallThingsTest {
     @Timeout(60)
     void aRodTipsWithoutALongSearch() {
         Geometry world = planar(new CylinderObject(new Point(-9, 1.5, -2.6), 0, 0.55).moveable("rod"));
-        for (int k = 0; k < 10_000; k++) {
+        for (int k = 0; k < Effort.cases(10_000); k++) {
             assertThat(world.move("rod", new Move(0, 0, 0, 28.3, 17.4)).allowed())
                     .isTrue();
         }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.model.Accuracy;
@@ -16,6 +17,7 @@ import robosim.geometry.model.Dimension;
  * <p>The system properties {@code stress.worlds} and {@code stress.seed} are how many operations there are and where they
  * start, {@code stress.layouts} a regular expression as in {@code "TILES SPATIAL .*"}.
  */
+@Tag("slow")
 class WorldFuzzTest {
     private static final long OPERATIONS = Long.getLong("stress.worlds", Effort.cases(20_000));
     private static final long SEED = Long.getLong("stress.seed", 20_261_122);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
@@ -14,6 +15,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
 /** The phases of a cart's contact with the crate that it pushes, while the world changes between two steps. */
+@Tag("slow")
 class ContactPhasesTest {
     private static final Body CRATE = Body.of(5, 0.2).withFloorFriction(0.3);
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
@@ -153,7 +154,7 @@ class FallingProofTest {
 
     @Test
     void nothingPassesThroughAThinFloorAtTenKilometresASecond() {
-        for (int run = 0; run < 40; run++) {
+        for (int run = 0; run < Effort.cases(40); run++) {
             SplittableRandom random = new SplittableRandom(run);
             Geometry world = FallingTest.world();
             double thick = run % 2 == 0 ? 0 : 1e-9;
@@ -177,7 +178,7 @@ class FallingProofTest {
 
     @Test
     void stepsOfASecondAndOfAMillisecondAgreeOnRest() {
-        for (int run = 0; run < 12; run++) {
+        for (int run = 0; run < Effort.cases(12); run++) {
             List<Point> rests = new ArrayList<>();
             for (int parts : new int[] {1, 1000}) {
                 SplittableRandom random = new SplittableRandom(1000 + run);

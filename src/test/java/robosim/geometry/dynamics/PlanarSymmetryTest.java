@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -160,7 +161,7 @@ class PlanarSymmetryTest {
     @ValueSource(booleans = {false, true})
     void whatIsMirroredStaysSo(boolean isInX) {
         int contacts = 0;
-        for (int seed = 0; seed < 60; seed++) {
+        for (int seed = 0; seed < Effort.cases(60); seed++) {
             SplittableRandom random = new SplittableRandom(seed);
             double[] steps = {0.01, 0.0625, 0.25};
             double seconds = steps[random.nextInt(3)];
@@ -183,6 +184,6 @@ class PlanarSymmetryTest {
                 }
             }
         }
-        assertThat(contacts).isGreaterThan(2000);
+        assertThat(contacts).isGreaterThan(Effort.cases(2000));
     }
 }

@@ -34,7 +34,7 @@ class SpatialSymmetryTest {
         dynamics.add("crate", Body.ofMass(crate, 5).withSurface(ROUGH));
         double acceleration = force * 0.4 * 5 * Body.GRAVITY / 20;
         dynamics.drive("robot", new DifferentialDrive(0.5, 1, acceleration).driving(0.5, 0));
-        double seconds = Effort.cases(5, 3);
+        double seconds = Effort.cases(5, 2);
         dynamics.step(seconds);
         Point at = world.getObject("crate").center();
         // Where a tenth more than the friction pushes, that is all there is to speed both up.

@@ -3,6 +3,7 @@ package robosim.geometry.exact;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.ChildJvm;
 import robosim.geometry.Effort;
 import robosim.geometry.bench.Answers;
 import robosim.geometry.bench.Questions;
@@ -170,6 +172,8 @@ class FilterBoundTest {
     }
 
     private static List<String> filter(String mode) {
-        return List.of("-D" + FilterBound.PROPERTY + "=" + mode);
+        List<String> options = new ArrayList<>(ChildJvm.FLAGS);
+        options.add("-D" + FilterBound.PROPERTY + "=" + mode);
+        return options;
     }
 }

@@ -13,6 +13,7 @@ import java.util.SplittableRandom;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,6 +35,7 @@ import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.playback.StateHistory;
 
 /** A page in a real browser without a window, where there is one: Chromium draws WebGL 2 without a graphics card. */
+@Tag("clock")
 @Timeout(300)
 class PageInBrowserTest {
     private static final Path SCRIPTS = Path.of("src/test/resources/robosim/geometry/export");

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.opentest4j.AssertionFailedError;
@@ -94,6 +95,7 @@ class DrivingTest {
         assertThat(world.robot("drum").heading()).isCloseTo(0, org.assertj.core.data.Offset.offset(1e-9));
     }
 
+    @Tag("slow")
     @Test
     void itPushesWhatHasAMass() {
         RobotWorld world = RobotWorld.of(arena());

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.ChildJvm;
 import robosim.geometry.Geometry;
 
 /** Tests of a user who has modules: everything on the module path of a process of its own, nothing on its class path. */
@@ -145,10 +146,7 @@ class ModulePathTest {
 
     private static String run(Path classes, String modulePath, String more, Path evidence, String... options)
             throws Exception {
-        List<String> command = new ArrayList<>();
-        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.add("-XX:TieredStopAtLevel=1");
-        command.addAll(List.of(options));
+        List<String> command = ChildJvm.command(options);
         command.addAll(List.of(
                 "--module-path",
                 modulePath + File.pathSeparator + classes,

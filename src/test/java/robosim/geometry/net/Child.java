@@ -6,9 +6,9 @@ import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.ChildJvm;
 import robosim.geometry.protocol.Bundle;
 
 /** One end in a process of its own, to be killed. */
@@ -28,13 +28,8 @@ final class Child implements AutoCloseable {
      * @param flags of its Java
      */
     static Child start(String role, int port, long seed, String... flags) throws IOException {
-        List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:TieredStopAtLevel=1",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path")));
-        command.addAll(List.of(flags));
+        List<String> command = ChildJvm.command(flags);
+        command.addAll(List.of("-cp", System.getProperty("java.class.path")));
         command.addAll(List.of(Child.class.getName(), role, "" + port, "" + seed));
         Process process = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.DISCARD)

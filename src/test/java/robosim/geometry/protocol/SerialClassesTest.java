@@ -3,10 +3,10 @@ package robosim.geometry.protocol;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import com.tngtech.archunit.core.domain.JavaClass;
 import java.awt.Component;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectStreamConstants;
@@ -14,15 +14,18 @@ import java.io.Serializable;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Snapshot;
-import robosim.geometry.architecture.Imported;
+import robosim.geometry.cli.demo.Program;
 import robosim.geometry.material.Material;
 import robosim.geometry.material.Texture;
 import robosim.geometry.model.BoxObject;
@@ -40,13 +43,24 @@ class SerialClassesTest {
 
     private static final List<Class<?>> SERIALIZABLE = serializable();
 
+    /** The classes of the module; none is initialized. */
     private static List<Class<?>> serializable() {
         List<Class<?>> found = new ArrayList<>();
-        for (JavaClass type : Imported.CLASSES) {
-            Class<?> loaded = type.reflect();
-            if (Serializable.class.isAssignableFrom(loaded) && !loaded.isInterface()) {
-                found.add(loaded);
+        Path module = Program.home();
+        try (Stream<Path> files = Files.walk(module)) {
+            for (Path file : files.filter(f -> f.toString().endsWith(".class")).toList()) {
+                String path = module.relativize(file).toString();
+                String name = path.substring(0, path.length() - 6).replace(File.separatorChar, '.');
+                if (!name.startsWith("robosim.")) {
+                    continue; // the module itself, and the demo's programs
+                }
+                Class<?> loaded = Class.forName(name, false, BoxObject.class.getClassLoader());
+                if (Serializable.class.isAssignableFrom(loaded) && !loaded.isInterface()) {
+                    found.add(loaded);
+                }
             }
+        } catch (IOException | ClassNotFoundException e) {
+            throw new AssertionError(e);
         }
         return found;
     }

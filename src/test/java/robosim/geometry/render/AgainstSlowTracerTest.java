@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,6 +29,7 @@ import robosim.geometry.world.WorldReader;
  * Each pixel beside that of a slow tracer that shares no code: rounded from the same number to within a hundredth, wherever rays
  * a millionth of a radian beside it have much the same colour for that tracer.
  */
+@Tag("slow")
 class AgainstSlowTracerTest {
     private static final int WIDTH = 80;
     private static final int HEIGHT = 60;

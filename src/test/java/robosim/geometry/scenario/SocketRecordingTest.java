@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.ChildJvm;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
@@ -199,13 +200,7 @@ class SocketRecordingTest {
 
     @Test
     void whatAKilledProcessHasRecordedReplays() throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Talker.class.getName(),
-                        folder.toString())
+        Process process = new ProcessBuilder(ChildJvm.running(Talker.class, folder.toString()))
                 .redirectErrorStream(true)
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .start();

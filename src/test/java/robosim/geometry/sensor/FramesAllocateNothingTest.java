@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.LongConsumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Allocated;
@@ -22,6 +23,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.Twist;
 
 /** A sensor that keeps its frame leaves nothing for the garbage collector, noise or not, on any JDK. */
+@Tag("slow")
 class FramesAllocateNothingTest {
     private static final int READINGS = 40;
 

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 
@@ -16,6 +17,7 @@ import robosim.geometry.Effort;
  * <p>The system properties {@code stress.random} and {@code stress.adversarial} are how many of each, {@code stress.seed}
  * is where they start, {@code stress.families} a regular expression of names.
  */
+@Tag("slow")
 class StressTest {
     private static final long RANDOM = Long.getLong("stress.random", Effort.cases(1_500));
     private static final long ADVERSARIAL = Long.getLong("stress.adversarial", Effort.cases(1_000));

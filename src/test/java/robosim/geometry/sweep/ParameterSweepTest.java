@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.ChildJvm;
 
 /** The results of a sweep are the same bits on any number of threads and shards, killed or not, and on every JDK. */
 @Tag("clock")
@@ -113,14 +114,7 @@ class ParameterSweepTest {
         Path file = folder.resolve("killed.jsonl");
         int before = 1;
         for (int lines : new int[] {20, 60}) {
-            Process process = new ProcessBuilder(
-                            Path.of(System.getProperty("java.home"), "bin", "java")
-                                    .toString(),
-                            "-XX:TieredStopAtLevel=1",
-                            "-cp",
-                            System.getProperty("java.class.path"),
-                            Sweeps.class.getName(),
-                            file.toString())
+            Process process = new ProcessBuilder(ChildJvm.running(Sweeps.class, file.toString()))
                     .redirectErrorStream(true)
                     .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                     .start();

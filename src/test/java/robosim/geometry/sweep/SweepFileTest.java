@@ -26,6 +26,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.ChildJvm;
 import robosim.geometry.Geometry;
 import robosim.geometry.sweep.lines.ChecksummedLine;
 import robosim.geometry.sweep.lines.SweepLines;
@@ -38,13 +39,7 @@ class SweepFileTest {
     Path folder;
 
     private static Process child(Path file, Path told) throws IOException {
-        return new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Sweeps.class.getName(),
-                        file.toString())
+        return new ProcessBuilder(ChildJvm.running(Sweeps.class, file.toString()))
                 .redirectErrorStream(true)
                 .redirectOutput(told.toFile())
                 .start();

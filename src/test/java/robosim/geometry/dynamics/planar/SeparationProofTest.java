@@ -3,6 +3,7 @@ package robosim.geometry.dynamics.planar;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.model.BoxObject;
@@ -14,6 +15,7 @@ import robosim.geometry.model.Point;
  * What is proved to pass does, at every one of many times, decided exactly; and what passes with room to spare is proved.
  * {@code -Ddynamics.passing=N} for N pairs.
  */
+@Tag("slow")
 class SeparationProofTest {
     private static final int TIMES = 200;
 

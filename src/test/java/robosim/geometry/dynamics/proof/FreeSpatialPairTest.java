@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.dynamics.Body;
 import robosim.geometry.dynamics.Dynamics;
@@ -57,7 +58,7 @@ class FreeSpatialPairTest {
     @ValueSource(doubles = {0.05, 0.5})
     void keepsMomentumAndAngularMomentum(double seconds) {
         int met = 0;
-        int runs = 8;
+        int runs = Effort.cases(16, 5);
         for (int run = 0; run < runs; run++) {
             Geometry world = new Geometry(400, 400, 400);
             GeometryObject a = any(run % 4, new Point(-1.5, 0, 0), "a");

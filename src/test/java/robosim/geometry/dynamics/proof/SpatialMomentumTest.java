@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -25,6 +26,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** In SPATIAL worlds, forces times time, less what contacts give, are what the momentum changes by in each step. */
+@Tag("slow")
 class SpatialMomentumTest {
     private static final double BOUND = 1e-9;
 
@@ -321,7 +323,7 @@ class SpatialMomentumTest {
             double torque = random.nextDouble(2, 5);
             dynamics.drive(name(0), new ForceDrive(0, 0, torque));
             double time = 0;
-            while (time < (count > 2 ? 0.6 : AWAKE)) {
+            while (time < (count > 2 ? Effort.cases(60, 30) / 100.0 : AWAKE)) {
                 StepResult result = dynamics.step(seconds);
                 time += seconds;
                 assertThat(result.stopped()).isEmpty();

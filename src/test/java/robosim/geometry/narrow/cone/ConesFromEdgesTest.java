@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -24,6 +25,7 @@ import robosim.geometry.model.Ray;
  * Cones in space whose apex is as near to an edge, a corner or the plane of a triangle as doubles come, against decimals: whether
  * the triangle echoes is exact, and the distance within 8 ulp of the largest coordinate.
  */
+@Tag("slow")
 class ConesFromEdgesTest {
     private static final double ULPS = 8;
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
@@ -22,6 +23,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * Rays in the plane that enter a tipped cylinder by a cap seen almost edge on, a thin ellipse, against decimals: never later than
  * the truth, and no touch is missed.
  */
+@Tag("slow")
 class ThinCapTest {
     private static final MathContext DIGITS = new MathContext(60);
 

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.CleanupMode;
@@ -29,6 +30,7 @@ import robosim.geometry.viewer.Talk;
 import robosim.geometry.viewer.playback.Replayer;
 
 /** The page in a real browser with WebGL in software, where Chromium is installed: what it draws, not only what it computes. */
+@Tag("clock")
 @Timeout(180)
 class ChromiumTest {
     private static final int WIDTH = 800;
