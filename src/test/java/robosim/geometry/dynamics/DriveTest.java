@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Set;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
@@ -160,7 +161,7 @@ class DriveTest {
         assertThat(car.driving(1, 5).centreAhead()).isEqualTo(0.5);
         assertThatThrownBy(() -> car.withCentreAhead(NONE)).hasMessageStartingWith("centreAhead ");
         assertThat(DriveSettings.of(car).centreAhead()).isEqualTo(0.5);
-        assertThatThrownBy(() -> new ObjectBody(0, 0, Surface.SMOOTH, 0, 0, 0, NONE, NONE, 0, 0, car))
+        assertThatThrownBy(() -> new ObjectBody(0, 0, Surface.SMOOTH, 0, 0, 0, NONE, NONE, 0, 0, Set.of(), car))
                 .hasMessageStartingWith("drive must have its centre on its rear axle");
     }
 

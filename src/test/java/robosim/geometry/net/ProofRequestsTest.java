@@ -20,6 +20,7 @@ import robosim.geometry.protocol.batch.BatchAnswer;
 import robosim.geometry.protocol.batch.BeamPattern;
 import robosim.geometry.protocol.batch.Mount;
 import robosim.geometry.protocol.batch.NoAnswer;
+import robosim.geometry.protocol.batch.ScanMotion;
 import robosim.geometry.protocol.batch.SenseRequest;
 import robosim.geometry.protocol.batch.WorldAnswer;
 import robosim.geometry.protocol.batch.WorldRequest;
@@ -34,7 +35,18 @@ class ProofRequestsTest extends SessionOfObjects {
     void answersCanBeProved() {
         session.reply(new InitBundle(List.of(WALL, ROBOT), SPATIAL));
         WorldRequest.Prove sensor = new WorldRequest.Prove(new SenseRequest(
-                "robot", new Mount(new Point(0, 0.1, 0)), new BeamPattern.Fan(0, 0.5, 3), 0, 8, 0, false, false));
+                "robot",
+                new Mount(new Point(0, 0.1, 0)),
+                new BeamPattern.Fan(0, 0.5, 3),
+                0,
+                8,
+                0,
+                false,
+                false,
+                false,
+                ScanMotion.NONE,
+                false,
+                List.of()));
         WorldRequest.Prove free = new WorldRequest.Prove(go(-1, 0.5));
         WorldRequest.Prove blocked = new WorldRequest.Prove(go(8, 0));
         WorldRequest.DescribeScene scene = new WorldRequest.DescribeScene();

@@ -161,7 +161,8 @@ class StepSessionTest {
                                         null,
                                         null,
                                         0,
-                                        0),
+                                        0,
+                                        List.of()),
                                 BodyRequest.of("cart").withMass(20).withDrive(DriveSettings.DEFAULT),
                                 BodyRequest.of("wall").withSurface(new SurfaceSettings(0.25, 0, 0))),
                         List.of()));

@@ -46,7 +46,8 @@ public final class StepSamples {
                 DriveSettings.DEFAULT,
                 new Velocity(1, 0, -2, 0.5),
                 0,
-                0));
+                0,
+                List.of()));
         for (DriveSettings.Kind kind : STORED) {
             bodies.add(BodyRequest.of("robot " + kind).withDrive(DriveSettings.of(kind)));
         }
