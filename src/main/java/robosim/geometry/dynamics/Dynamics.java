@@ -101,6 +101,9 @@ public final class Dynamics {
     /** How often the stepper has been given all bodies. */
     private long prepared;
 
+    /** Whether it was last given those of a step that was taken back, but remembers what these bodies did before it. */
+    private boolean isTakenBack;
+
     /** Whether a body has three moments of inertia, of which its attitude makes one. */
     private boolean hasMoments;
 
@@ -518,6 +521,7 @@ public final class Dynamics {
         private final List<BodyState> inOrder = List.copyOf(order);
         private final boolean wasStale = isStale;
         private final long wasPrepared = prepared;
+        private final boolean wasTakenBack = isTakenBack;
         private final long wasAssembledAt = attached.assembledAt;
 
         Kept() {
@@ -536,6 +540,7 @@ public final class Dynamics {
             bodies.clear();
             states.forEach(each -> bodies.put(each.name, each));
             table.undo();
+            isTakenBack = wasTakenBack || (!wasStale && prepared != wasPrepared);
             isStale = wasStale || prepared != wasPrepared || attached.assembledAt != wasAssembledAt;
             attached.assembledAt = wasAssembledAt;
             order.clear();
@@ -698,6 +703,11 @@ public final class Dynamics {
         }
         bodies.values().removeIf(each -> !each.isThere(engine));
         prepared++;
+        List<BodyState> earlier = isTakenBack ? List.copyOf(order) : List.of();
+        int count = stepper.count();
+        if (isTakenBack) {
+            stepper.keep();
+        }
         stepper.clear();
         order.clear();
         hasMoments = false;
@@ -721,6 +731,10 @@ public final class Dynamics {
         ignore(stepper.passing(), bodies.values(), objects);
         objects.moverIds().filter(id -> !moved.contains(id)).forEach(id -> stepper.add(id, 0, 0));
         stepper.build(table);
+        if (isTakenBack && count == stepper.count() && order.equals(earlier)) {
+            stepper.recall();
+        }
+        isTakenBack = false;
         isStale = false;
     }
 

@@ -36,6 +36,7 @@ class StepMessageTest {
         all.add(StepSamples.landing());
         all.addAll(StepSamples.later());
         all.add(StepSamples.pushing());
+        all.add(StepSamples.ignoring());
         SplittableRandom random = new SplittableRandom(21);
         for (int k = 0; k < 500; k++) {
             all.add(StepSamples.random(random));

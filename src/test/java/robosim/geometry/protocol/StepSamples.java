@@ -62,15 +62,18 @@ public final class StepSamples {
                         0.05, bodies, List.of(new DriveCommand("a", 1, 0.25), new DriveCommand("b", -1, 2, -3))));
     }
 
+    /** A step with a body that passes through others. */
+    public static StepBundle ignoring() {
+        return new StepBundle(0.05, List.of(BodyRequest.of("n").ignoring(List.of("cloth", "layer"))), List.of());
+    }
+
     /** A step with pushes, which the stored ones lack. */
     public static StepBundle pushing() {
         return new StepBundle(
                 0.05,
                 List.of(
                         BodyRequest.of("a").withDrag(0.25, 0.5),
-                        BodyRequest.of("n")
-                                .ignoring(List.of("cloth"))
-                                .withDrive(DriveSettings.of(DriveSettings.Kind.NONE)),
+                        BodyRequest.of("n").withDrive(DriveSettings.of(DriveSettings.Kind.NONE)),
                         BodyRequest.of("t")
                                 .withDrive(DriveSettings.of(
                                         new SwerveSettings(List.of(new Point(0.25, 0, -0.5)), 1.5, 0, null))),

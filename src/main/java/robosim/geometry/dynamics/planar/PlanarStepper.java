@@ -196,10 +196,15 @@ public final class PlanarStepper {
         floor.keep();
     }
 
-    /** Takes a step back that was not made; whether it had begun. */
-    public void undo(boolean hasBegun) {
+    /** Makes what the same bodies did before count again, as it was kept. */
+    public void recall() {
         waited = hadWaited;
         floor.undo();
+    }
+
+    /** Takes a step back that was not made; whether it had begun. */
+    public void undo(boolean hasBegun) {
+        recall();
         if (hasBegun) {
             ContactLog failed = touches;
             touches = before;

@@ -188,6 +188,7 @@ class JsonSchemaTest {
         lines.add("{\"id\":-7,\"type\":\"moves\",\"moves\":[]}");
         StepSamples.requests().forEach(step -> lines.add(JsonLines.write(step)));
         lines.add(JsonLines.write(StepSamples.pushing()));
+        lines.add(JsonLines.write(StepSamples.ignoring()));
         lines.add(JsonLines.write(new BatchRequestBundle(List.of(MeasureRequest.signed("a", "b")))));
         return lines;
     }
