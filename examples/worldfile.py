@@ -26,11 +26,16 @@ MOST_CELLS = 1 << 24
 LOOKS = ["color", "diffuse", "specular", "shininess", "mirror", "emission", "reflectance", "label"]
 PLACED = ["name", "moveable", "attached", "layers", "center", "heading", "turned", "rotation", "material"]
 
+# What only pictures show: whatever stands in it is passed over.
+PICTURED = ["lighting", "scenery"]
+
 # Of each element: the attributes that it needs, those that it may have, and what may stand in it.
 GRAMMAR = {
-    "world": (["width", "height", "length"], ["unit", "dimension", "accuracy"], SHAPES + ["grid", "material"]),
+    "world": (["width", "height", "length"], ["unit", "dimension", "accuracy"], SHAPES + ["grid", "material"] + PICTURED),
     # Looks are checked by who draws, and not sent: the robots here go by their sonars.
     "material": (["name"], LOOKS, ["checker", "stripes", "image"]),
+    "lighting": ([], [], []),
+    "scenery": ([], [], []),
     "checker": (["first", "second", "size"], [], []),
     "stripes": (["first", "second", "size"], ["degrees"], []),
     "image": ([], ["file", "columns", "rows", "width", "height"], []),
@@ -47,7 +52,7 @@ GRAMMAR = {
     "quads": ([], [], []),
     "sonar": (["count"], ["first", "step", "min", "max", "width"], []),
     "body": ([], ["mass", "inertia", "restitution", "friction", "slidingFriction", "floorFriction", "damping",
-                  "turnDamping", "maxSpeed", "maxTurn", "drag", "rolling"], ["drive"]),
+                  "turnDamping", "maxSpeed", "maxTurn", "drag", "rolling", "ignored"], ["drive"]),
     "drive": (["kind"], ["base", "maxSpeed", "maxAcceleration", "maxTurn", "maxTurnAcceleration", "wheels", "grip",
                          "maxSteering", "stallTorque", "freeTurns", "stallCurrent", "gearRatio", "wheelRadius",
                          "currentLimit", "supplyResistance"], []),
@@ -157,6 +162,9 @@ def parse(path):
         place = f"{path}:{parser.CurrentLineNumber}"
         if not opened and (space, tag) != (SPACE, "world"):
             raise NotDone(f'{place}: the root must be <world xmlns="{SPACE}" ...> (got: <{tag}>)')
+        if opened and opened[-1].tag in PICTURED:
+            opened.append(opened[-1])
+            return
         if space != SPACE or tag not in GRAMMAR:
             raise NotDone(f"{place}: there is no <{tag}> in a world (namespace: {space or 'none'})")
         own = {name: value for name, value in attributes.items() if not name.startswith(SCHEMA_HINTS)}
@@ -206,7 +214,7 @@ class World:
         self.robots = []
         names = {}
         for element in root.children:
-            if element.tag == "material":
+            if element.tag in ["material"] + PICTURED:
                 continue
             try:
                 made = self.read(element)
@@ -385,6 +393,9 @@ class World:
                                  f" (got: {attribute})")
         told = {"objectName": name}
         for attribute in body.attributes:
+            if attribute == "ignored":
+                told["ignored"] = body.attributes["ignored"].split()
+                continue
             field = {"friction": "staticFriction"}.get(attribute, attribute)
             told[field] = body.one(attribute, 0.0, least=0)
         told.setdefault("slidingFriction", told.get("staticFriction", 0.0))
