@@ -146,9 +146,10 @@ public final class MeshObject extends PlacedObject<MeshObject> implements Geomet
         }
         double[] coordinates = new double[3 * heights.length];
         for (int k = 0; k < heights.length; k++) {
+            int row = k / columns;
             coordinates[3 * k] = cell * (k % columns - 0.5 * (columns - 1));
             coordinates[3 * k + 1] = Checks.coordinate("heights[" + k + "]", heights[k]);
-            coordinates[3 * k + 2] = cell * (k / columns - 0.5 * (rows - 1));
+            coordinates[3 * k + 2] = cell * (row - 0.5 * (rows - 1));
         }
         int[][] faces = new int[(columns - 1) * (rows - 1)][];
         for (int f = 0; f < faces.length; f++) {
