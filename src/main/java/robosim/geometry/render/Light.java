@@ -5,7 +5,7 @@ import robosim.geometry.material.Color;
 import robosim.geometry.model.Point;
 
 /**
- * Something that gives light and, unless it has none, throws hard shadows. A surface is lit where the straight path to the
+ * Something that gives light and throws hard shadows, unless its shadows are off. A surface is lit where the straight path to the
  * light is free; touching is blocking, as everywhere in this module. A light has no size and cannot be seen itself.
  *
  * <p>A surface that faces a sun of strength 1 scatters just as much light as its colour says; so does one that faces a

@@ -71,7 +71,7 @@ public abstract class RaySensor<S extends RaySensor<S, F>, F extends RayFrame> {
 
     /**
      * This sensor with the blind range for an echo nearer than that, and {@code +Infinity} for none within the range and for a lost
-     * reading, as at first for all but those from SDFormat. Such a ray has no point and no intensity either.
+     * reading, which is the default except for sensors from SDFormat. Such a ray has no point and no intensity either.
      */
     public S withClampedRanges() {
         return withOutOfRange(OutOfRange.CLAMPED);

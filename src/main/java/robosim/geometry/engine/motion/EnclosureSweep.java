@@ -29,7 +29,7 @@ final class EnclosureSweep {
     private AccuracyView view;
     private int piece;
 
-    /** Whether it does not matter when something is met. */
+    /** Whether only the verdict counts, and not the time of a contact. */
     private boolean isVerdictEnough;
 
     @SuppressWarnings("NullAway.Init") // a question sets the view
@@ -51,7 +51,7 @@ final class EnclosureSweep {
         return impact(inView, other, box, false);
     }
 
-    /** Whether an object is met anywhere on the turn. */
+    /** Whether an object is touched anywhere on the turn. */
     boolean isMet(AccuracyView inView, int other, double[] box) {
         return impact(inView, other, box, true) != Double.POSITIVE_INFINITY;
     }

@@ -11,7 +11,7 @@ public final class PlanarRay {
     /**
      * Distance along a ray, whose direction is level, to the nearest point of the leaf's projection.
      *
-     * <p>Whether it hits is exact for all but turned cylinders, for which it is certified (no touch is missed).
+     * <p>Whether it hits is exact, except for turned cylinders, for which it is certified (no touch is missed).
      *
      * @return world units; 0 where the start is inside or on it, {@code +Infinity} on a miss
      */

@@ -80,7 +80,7 @@ final class SdfMaterials {
         return material == null || material.children.isEmpty() ? null : read(material);
     }
 
-    /** The picture of the colours of a visual; null if it has none. */
+    /** The picture of the colours of a visual; null if there is none. */
     static @Nullable SdfElement picture(SdfElement visual) {
         SdfElement metal = metal(visual.child("material"));
         SdfElement map = metal == null ? null : metal.child("albedo_map");

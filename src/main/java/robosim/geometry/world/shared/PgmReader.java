@@ -67,7 +67,7 @@ final class PgmReader {
                 sink);
     }
 
-    /** The value of a pixel in the file, all of which are asked for in their order. */
+    /** Reads the value of the next pixel of the file. */
     @FunctionalInterface
     private interface Pixel {
         int next(int row, int column) throws IOException;
