@@ -704,7 +704,6 @@ public final class Dynamics {
         bodies.values().removeIf(each -> !each.isThere(engine));
         prepared++;
         List<BodyState> earlier = isTakenBack ? List.copyOf(order) : List.of();
-        int count = stepper.count();
         if (isTakenBack) {
             stepper.keep();
         }
@@ -731,8 +730,8 @@ public final class Dynamics {
         ignore(stepper.passing(), bodies.values(), objects);
         objects.moverIds().filter(id -> !moved.contains(id)).forEach(id -> stepper.add(id, 0, 0));
         stepper.build(table);
-        if (isTakenBack && count == stepper.count() && order.equals(earlier)) {
-            stepper.recall();
+        if (isTakenBack && order.equals(earlier)) {
+            stepper.recall(order.size());
         }
         isTakenBack = false;
         isStale = false;

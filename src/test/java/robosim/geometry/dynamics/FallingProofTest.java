@@ -224,6 +224,6 @@ class FallingProofTest {
                 }
             }
         }
-        assertThat(Long.toHexString(digest)).isEqualTo("efb899a0cd917900");
+        assertThat(Long.toHexString(digest)).isEqualTo("f0dc869816145d42");
     }
 }

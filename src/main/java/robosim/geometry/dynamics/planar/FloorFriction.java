@@ -66,9 +66,9 @@ final class FloorFriction {
         keptPressed = isPressed.clone();
     }
 
-    /** Takes that back. */
-    void undo() {
-        System.arraycopy(keptPressed, 0, isPressed, 0, keptPressed.length);
+    /** Takes that back for the first bodies. */
+    void undo(int count) {
+        System.arraycopy(keptPressed, 0, isPressed, 0, Math.min(count, keptPressed.length));
     }
 
     /** Remembers that another body presses this one. */

@@ -196,15 +196,15 @@ public final class PlanarStepper {
         floor.keep();
     }
 
-    /** Makes what the same bodies did before count again, as it was kept. */
-    public void recall() {
-        waited = hadWaited;
-        floor.undo();
+    /** Makes what the first bodies did before count again, as it was kept: they are the same. */
+    public void recall(int count) {
+        System.arraycopy(hadWaited, 0, waited, 0, count);
+        floor.undo(count);
     }
 
     /** Takes a step back that was not made; whether it had begun. */
     public void undo(boolean hasBegun) {
-        recall();
+        recall(hadWaited.length);
         if (hasBegun) {
             ContactLog failed = touches;
             touches = before;

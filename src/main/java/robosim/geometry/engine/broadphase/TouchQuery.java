@@ -40,7 +40,7 @@ public final class TouchQuery {
         candidate.bounds(0, candidate.size(), box);
         count = 0;
         query.each(at, box, ignored);
-        sort();
+        registry.objects.sort(met, count);
         return count;
     }
 
@@ -61,34 +61,5 @@ public final class TouchQuery {
             met = Arrays.copyOf(met, 2 * count);
         }
         met[count++] = id;
-    }
-
-    /** Sorts by heaps, so that many take no longer than they must. */
-    private void sort() {
-        for (int root = count / 2 - 1; root >= 0; root--) {
-            sift(root, count);
-        }
-        for (int end = count - 1; end > 0; end--) {
-            int last = met[0];
-            met[0] = met[end];
-            met[end] = last;
-            sift(0, end);
-        }
-    }
-
-    private void sift(int from, int end) {
-        int root = from;
-        for (int child = 2 * root + 1; child < end; child = 2 * root + 1) {
-            if (child + 1 < end && registry.objects.isEarlier(met[child], met[child + 1])) {
-                child++;
-            }
-            if (!registry.objects.isEarlier(met[root], met[child])) {
-                return;
-            }
-            int moved = met[root];
-            met[root] = met[child];
-            met[child] = moved;
-            root = child;
-        }
     }
 }

@@ -99,6 +99,7 @@ public final class Placer {
         passing.begin(id);
         try {
             candidates.find(registry.view, box, id);
+            candidates.sort(); // so that sums over contacts do not depend on the shape of a tree
         } finally {
             passing.end();
         }

@@ -343,6 +343,35 @@ public final class ObjectTable {
         return isOrdered ? arrival(a) < arrival(b) : a < b;
     }
 
+    /** Sorts ids by the order in which the objects were added; by heaps, so that many take no longer than they must. */
+    public void sort(int[] ids, int count) {
+        for (int root = count / 2 - 1; root >= 0; root--) {
+            sift(ids, root, count);
+        }
+        for (int end = count - 1; end > 0; end--) {
+            int last = ids[0];
+            ids[0] = ids[end];
+            ids[end] = last;
+            sift(ids, 0, end);
+        }
+    }
+
+    private void sift(int[] ids, int from, int end) {
+        int root = from;
+        for (int child = 2 * root + 1; child < end; child = 2 * root + 1) {
+            if (child + 1 < end && isEarlier(ids[child], ids[child + 1])) {
+                child++;
+            }
+            if (!isEarlier(ids[root], ids[child])) {
+                return;
+            }
+            int moved = ids[root];
+            ids[root] = ids[child];
+            ids[child] = moved;
+            root = child;
+        }
+    }
+
     public int moverCount() {
         return moverCount;
     }
